@@ -33,7 +33,7 @@ fn snapped(codec: &AnyCodec, frames: &[[f32; 7]]) -> Vec<[f32; 7]> {
         let [normals, tangents] = [normal, tangent].map(has_direction);
         let mut moved: [f32; 7] = match codec.element {
             Element::Frame => codec.decode_one(codec.encode_one(*frame)),
-            Element::Vector => {
+            Element::Vector | Element::Rotation => {
                 let [[a, b, c], [d, e, f]] = [normal, tangent].map(|vector| decoded(codec, vector));
                 [a, b, c, d, e, f, frame[6]]
             }

@@ -105,7 +105,7 @@ fn figures(device: &Arc<Device>, textbook: &Textbook) -> Vec<String> {
     let same = if has_same_codes(device, textbook) { "yes" } else { "no" };
     let mut figures = vec![same.into(), format!("{:.6e}", errors.normal.mean_deg()), format!("{max:.6e}")];
     let tangent = match format.element {
-        Element::Vector => [String::new(), String::new()],
+        Element::Vector | Element::Rotation => [String::new(), String::new()],
         Element::Frame => [errors.tangent.mean_deg(), errors.tangent.max_deg()].map(|e| format!("{e:.6e}")),
     };
     figures.extend(tangent);

@@ -16,5 +16,5 @@ mod status;
 pub use codec::*;
 pub use elements::{Elements, UNITVEC_FLOAT32, UNITVEC_FLOAT64};
 pub use memory::*;
-pub use single::{Frame, Vec3};
+pub use single::{Frame, Quat, Vec3};
 pub use status::*;

@@ -1,11 +1,11 @@
-//! Single vectors and frames: the functions that `codecs.rs` calls.
+//! Single vectors, frames and rotations: the functions that `codecs.rs` calls.
 //!
 //! They name the codec's type and are inlined with all that they call. So an object file of a codec needs nothing of
 //! Rust's libraries: one call that could panic, as far as the compiler knows, would bring 300 KB of them to a program.
 
 use unitvec::codec::RawCode;
 use unitvec::direction::{is_usable, l1_norm};
-use unitvec::{Codec, FrameCodec};
+use unitvec::{Codec, FrameCodec, RotationCodec};
 
 /// A vector of three floats, laid out as three floats of an array.
 #[repr(C)]
@@ -30,6 +30,20 @@ pub struct Frame {
     pub tangent: Vec3,
     /// +1 or -1: the bitangent is handedness * cross(normal, tangent), as with glTF's TANGENT.
     pub handedness: f32,
+}
+
+/// A rotation as a unit quaternion, laid out as four floats of an array. Length and sign do not matter.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct Quat {
+    /// The first component of the imaginary part.
+    pub x: f32,
+    /// The second component of the imaginary part.
+    pub y: f32,
+    /// The third component of the imaginary part.
+    pub z: f32,
+    /// The real part.
+    pub w: f32,
 }
 
 /// The code of a vector, or the null code where the vector has no direction: zeros, infinities, NaN.
@@ -65,6 +79,17 @@ pub(crate) fn encode_frame<F: FrameCodec>(Frame { normal: n, tangent: t, handedn
 pub(crate) fn decode_frame<F: FrameCodec>(code: u64) -> Frame {
     let unitvec::Frame { normal: n, tangent: t, handedness } = F::decode(F::Code::from_words(words(code)));
     Frame { normal: Vec3 { x: n.x, y: n.y, z: n.z }, tangent: Vec3 { x: t.x, y: t.y, z: t.z }, handedness }
+}
+
+#[inline(always)]
+pub(crate) fn encode_rotation<C: RotationCodec>(Quat { x, y, z, w }: Quat) -> u64 {
+    joined(C::encode([x, y, z, w]).to_words())
+}
+
+#[inline(always)]
+pub(crate) fn decode_rotation<C: RotationCodec>(code: u64) -> Quat {
+    let [x, y, z, w] = C::decode(C::Code::from_words(words(code)));
+    Quat { x, y, z, w }
 }
 
 /// A code as one number, from its two words.

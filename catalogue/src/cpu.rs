@@ -6,10 +6,10 @@ use unitvec::codec::RawCode;
 use unitvec::interop::{Format, FrameFormat};
 use unitvec::slice::machine::Level;
 use unitvec::slice::{
-    DecodeAt, EncodeAt, LengthMismatch, decode_frames, decode_slice_at, encode_frames, encode_slice_at,
-    encode_slice_with,
+    DecodeAt, EncodeAt, LengthMismatch, decode_frames, decode_rotations, decode_slice_at, encode_frames,
+    encode_rotations, encode_slice_at, encode_slice_with,
 };
-use unitvec::{Codec, Frame, FrameCodec};
+use unitvec::{Codec, Frame, FrameCodec, RotationCodec};
 
 /// The functions of a codec of elements of `N` floats.
 #[derive(Clone, Copy, Debug)]
@@ -22,11 +22,12 @@ pub struct Functions<const N: usize> {
     pub encode: EncodeAt<[f32; N]>,
 }
 
-/// The functions of a codec of vectors or of frames.
+/// The functions of a codec of vectors, frames or rotations.
 #[derive(Clone, Copy, Debug)]
 pub enum AnyFunctions {
     Vector(Functions<3>),
     Frame(Functions<7>),
+    Rotation(Functions<4>),
     /// A value, whose functions need it.
     Format(Format),
     FrameFormat(FrameFormat),
@@ -52,6 +53,18 @@ impl Functions<7> {
             encode_at: |_, frames, codes| encode_frames::<F>(frames, codes),
             decode_at: |_, codes, frames| decode_frames::<F>(codes, frames),
             encode: |_, frames, codes| encode_frames::<F>(frames, codes),
+        }
+    }
+}
+
+impl Functions<4> {
+    pub const fn of_rotations<C: RotationCodec>() -> Self {
+        Self {
+            encode_one: |q| C::encode(q).to_words(),
+            decode_one: |code| C::decode(C::Code::from_words(code)),
+            encode_at: |_, rotations, codes| encode_rotations::<C>(rotations, codes),
+            decode_at: |_, codes, rotations| decode_rotations::<C>(codes, rotations),
+            encode: |_, rotations, codes| encode_rotations::<C>(rotations, codes),
         }
     }
 }
@@ -86,6 +99,7 @@ macro_rules! with_functions {
         match &$codec.functions {
             AnyFunctions::Vector($functions) => $result,
             AnyFunctions::Frame($functions) => $result,
+            AnyFunctions::Rotation($functions) => $result,
             AnyFunctions::Format(format) => {
                 let $functions = $crate::cpu::of_value!(
                     format,

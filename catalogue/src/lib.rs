@@ -30,24 +30,25 @@ use unitvec::interop::UnknownFormat;
 use unitvec::slice::machine::Level;
 use unitvec::slice::{EncodeAt, LengthMismatch, expect_length, par_decode_with, par_encode_with};
 #[cfg(doc)]
-use unitvec::{Codec, FrameCodec};
-use unitvec::{Listed, ListedFrame};
+use unitvec::{Codec, FrameCodec, RotationCodec};
+use unitvec::{Listed, ListedFrame, ListedRotation};
 
 pub use cpu::best_fit_table;
 pub use formats::{find_any, formats};
-pub use list::{CODECS, frames, vectors};
+pub use list::{CODECS, directions, frames, rotations, vectors};
 pub use null::{NoNull, Null};
 pub use recommended::{Choice, FORMATS, Format, Measured, RECOMMENDED, Recommendation, Usage};
 pub use unitvec::Domain;
 
-/// A codec of vectors or of frames: its properties and its CPU functions. Two codecs with one identifier are equal.
+/// A codec of vectors, frames or rotations: its properties and its CPU functions. Two codecs with one identifier are equal.
 #[derive(Clone, Copy, Debug)]
 pub struct AnyCodec {
     /// Identifier, as in `--codec`, the entry points and the GLSL functions: `oct16p`.
     pub id: &'static str,
     /// Name of the codec's type in [`unitvec`]: `OctPrecise16`.
     pub rust_type: &'static str,
-    /// The survey's name, `oct16P`; for other codecs of vectors a name in the same style, and for those of frames `id`.
+    /// The survey's name, `oct16P`; for other codecs of vectors a name in the same style, and for those of frames and rotations
+    /// `id`.
     pub survey_name: &'static str,
     /// The family: its module in [`unitvec`] and, with `.glsl`, the GLSL include file with its functions.
     pub family: &'static str,
@@ -63,13 +64,14 @@ pub struct AnyCodec {
     pub domain: Domain,
     /// True where decoded vectors have unit length; false for raw component formats.
     pub is_unit: bool,
-    /// True where the directions of the domain's axes come back exactly. Codecs of frames do not promise it.
+    /// True where the directions of the domain's axes come back exactly, of rotations the 24 that keep a cube. Codecs of frames
+    /// do not promise it.
     pub exact_axes: bool,
     /// True where every device encodes any other device's decoded element to a code of the same element.
     pub stable_across_devices: bool,
     /// Upper bounds of the errors over the domain, in degrees: one for each of [`Element::directions`].
     pub max_errors_deg: &'static [f32],
-    /// The null code, low word first: [`Codec::NULL`]. Codecs of frames have none. See [`null`](Self::null).
+    /// The null code, low word first: [`Codec::NULL`]. Codecs of frames and rotations have none. See [`null`](Self::null).
     pub null: Option<[u32; 2]>,
     /// True where the encoder looks lengths up in the table of [`unitvec::best_fit`]: its kernel binds it.
     pub encodes_by_table: bool,
@@ -137,6 +139,27 @@ impl AnyCodec {
             null: None,
             encodes_by_table: false,
             functions: AnyFunctions::Frame(Functions::of_frames::<F>()),
+        }
+    }
+
+    const fn of_rotations<C: ListedRotation>() -> Self {
+        Self {
+            id: C::NAME,
+            rust_type: C::RUST_TYPE,
+            survey_name: C::NAME,
+            family: "quat",
+            element: Element::Rotation,
+            bits: C::BITS,
+            bytes: C::BYTES,
+            vk_format: C::VK_FORMAT,
+            domain: Domain::Sphere,
+            is_unit: true,
+            exact_axes: true,
+            stable_across_devices: true,
+            max_errors_deg: const { &[C::MAX_ERROR_DEG] },
+            null: None,
+            encodes_by_table: false,
+            functions: AnyFunctions::Rotation(Functions::of_rotations::<C>()),
         }
     }
 
@@ -220,13 +243,13 @@ impl AnyCodec {
         with_functions!(self, it => (it.decode_at)(level, codes, cast_slice_mut(elements)))
     }
 
-    /// [`Codec::encode`] or [`FrameCodec::encode`] of one element: the low word first. `N` is 3 for vectors and 7 for
-    /// frames; floats that lack count as 0, and those beyond are left out.
+    /// [`Codec::encode`], [`FrameCodec::encode`] or [`RotationCodec::encode`] of one element: the low word first. `N` is 3 for
+    /// vectors, 7 for frames and 4 for rotations; floats that lack count as 0, and those beyond are left out.
     pub fn encode_one<const N: usize>(&self, element: [f32; N]) -> [u32; 2] {
         with_functions!(self, it => (it.encode_one)(resized(element)))
     }
 
-    /// [`Codec::decode`] or [`FrameCodec::decode`] of one code, the low word first. `N` is as in
+    /// [`Codec::decode`], [`FrameCodec::decode`] or [`RotationCodec::decode`] of one code, the low word first. `N` is as in
     /// [`encode_one`](Self::encode_one).
     pub fn decode_one<const N: usize>(&self, code: [u32; 2]) -> [f32; N] {
         with_functions!(self, it => resized((it.decode_one)(code)))
@@ -242,11 +265,13 @@ pub enum Element {
     Vector,
     /// Tangent frames of seven: normal, tangent, handedness.
     Frame,
+    /// Rotations of four: the unit quaternion x, y, z, w.
+    Rotation,
 }
 
 impl Element {
-    /// Both kinds.
-    pub const ALL: [Self; 2] = [Self::Vector, Self::Frame];
+    /// All kinds.
+    pub const ALL: [Self; 3] = [Self::Vector, Self::Frame, Self::Rotation];
 
     /// The number of f32 in an element.
     pub const fn floats(self) -> usize {
@@ -258,20 +283,29 @@ impl Element {
         4 * self.floats()
     }
 
-    /// `vectors` or `frames`.
+    /// `vectors`, `frames` or `rotations`.
     pub const fn plural(self) -> &'static str {
         self.row().1
     }
 
-    /// The directions of an element that have an error: `direction` for a vector, `normal` and `tangent` for a frame.
+    /// The parts of an element that have an error: `direction` for a vector, `normal` and `tangent` for a frame, `rotation`.
     pub const fn directions(self) -> &'static [&'static str] {
         self.row().2
+    }
+
+    /// The number of f32 of each part: three components, or the four of a quaternion.
+    pub const fn part_floats(self) -> usize {
+        match self {
+            Self::Vector | Self::Frame => 3,
+            Self::Rotation => 4,
+        }
     }
 
     const fn row(self) -> (usize, &'static str, &'static [&'static str]) {
         match self {
             Self::Vector => (3, "vectors", &["direction"]),
             Self::Frame => (7, "frames", &["normal", "tangent"]),
+            Self::Rotation => (4, "rotations", &["rotation"]),
         }
     }
 }
@@ -281,9 +315,9 @@ impl Element {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
 #[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
 pub enum Operation {
-    /// Vectors or frames to codes.
+    /// Elements to codes.
     Encode,
-    /// Codes to vectors or frames.
+    /// Codes to elements.
     Decode,
 }
 

@@ -2,7 +2,7 @@
 
 use crate::AnyCodec;
 use crate::cpu::encode_by_table;
-use unitvec::{for_each_codec, for_each_frame};
+use unitvec::{for_each_codec, for_each_frame, for_each_rotation};
 
 macro_rules! vectors {
     ($([$id:ident $codec:ident $(($by:ident))? = $($rest:tt)*])*) => {
@@ -21,12 +21,29 @@ macro_rules! frames {
 
 for_each_frame!(frames);
 
-/// Every codec: those of vectors, by family and width, and then those of frames.
-pub static CODECS: [AnyCodec; VECTORS.len() + FRAMES.len()] = {
-    let mut codecs = [FRAMES[0]; VECTORS.len() + FRAMES.len()];
+macro_rules! rotations {
+    ($([$id:ident $codec:ident = $($rest:tt)*])*) => {
+        const ROTATIONS: &[AnyCodec] = &[$(AnyCodec::of_rotations::<unitvec::$codec>()),*];
+    };
+}
+
+for_each_rotation!(rotations);
+
+/// The number of codecs before those of rotations.
+const BEFORE_ROTATIONS: usize = VECTORS.len() + FRAMES.len();
+
+/// Every codec: those of vectors, by family and width, then those of frames, and then those of rotations.
+pub static CODECS: [AnyCodec; BEFORE_ROTATIONS + ROTATIONS.len()] = {
+    let mut codecs = [FRAMES[0]; BEFORE_ROTATIONS + ROTATIONS.len()];
     let mut i = 0;
     while i < codecs.len() {
-        codecs[i] = if i < VECTORS.len() { VECTORS[i] } else { FRAMES[i - VECTORS.len()] };
+        codecs[i] = if i < VECTORS.len() {
+            VECTORS[i]
+        } else if i < BEFORE_ROTATIONS {
+            FRAMES[i - VECTORS.len()]
+        } else {
+            ROTATIONS[i - BEFORE_ROTATIONS]
+        };
         i += 1;
     }
     codecs
@@ -39,5 +56,15 @@ pub fn vectors() -> &'static [AnyCodec] {
 
 /// Every codec of tangent frames.
 pub fn frames() -> &'static [AnyCodec] {
-    &CODECS[VECTORS.len()..]
+    &CODECS[VECTORS.len()..BEFORE_ROTATIONS]
+}
+
+/// Every codec that stores a direction: those of vectors and of tangent frames.
+pub fn directions() -> &'static [AnyCodec] {
+    &CODECS[..BEFORE_ROTATIONS]
+}
+
+/// Every codec of rotations.
+pub fn rotations() -> &'static [AnyCodec] {
+    &CODECS[BEFORE_ROTATIONS..]
 }

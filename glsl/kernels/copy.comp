@@ -1,10 +1,12 @@
 // Reads and writes as many bytes as a codec's kernel, and does no more with them than it takes to read them all: this
 // measures the limit of the memory. It skips an incomplete last group. Macros for the compiler: BYTES, ENCODE or
-// DECODE, and FRAME where frames are encoded.
+// DECODE, and FRAME where frames are encoded, ROTATION where rotations are.
 #version 450
 
 #ifdef FRAME
 #define ELEMENT 28
+#elif defined(ROTATION)
+#define ELEMENT 16
 #else
 #define ELEMENT 12
 #endif

@@ -1,5 +1,5 @@
 // Decodes four codes an invocation. Macros for the compiler: DECODE, the codec's function; BYTES, its code's size;
-// FRAME for codecs of frames (normal, tangent, handedness). With TEXTBOOK the function is one of textbook.glsl.
+// FRAME for codecs of frames (normal, tangent, handedness), ROTATION for those of rotations. With TEXTBOOK the function is one of textbook.glsl.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
@@ -19,6 +19,9 @@ uint[WRITTEN] convert(uint r[READ]) {
         vec4 tangent;
         DECODE(c[n], v, tangent);
         for (int k = 0; k < 4; ++k) w[7 * n + 3 + k] = floatBitsToUint(tangent[k]);
+#elif defined(ROTATION)
+        vec4 v = DECODE(c[n]);
+        w[4 * n + 3] = floatBitsToUint(v.w);
 #else
         vec3 v = DECODE(c[n]);
 #endif

@@ -30,6 +30,9 @@ vec3 decoded(uvec2 code) {
     vec4 tangent;
     DECODE(CODE(code), normal, tangent);
     return normal + tangent.xyz * tangent.w;
+#elif defined(ROTATION)
+    vec4 q = DECODE(CODE(code));
+    return q.xyz * q.w;
 #else
     return DECODE(CODE(code));
 #endif

@@ -1,5 +1,6 @@
-// Encodes four vectors or frames an invocation. Macros for the compiler: ENCODE, the codec's function; BYTES, its
-// code's size; FRAME for codecs of frames (normal, tangent, handedness); TABLE where the codec encodes by the table of
+// Encodes four vectors, frames or rotations an invocation. Macros for the compiler: ENCODE, the codec's function; BYTES, its
+// code's size; FRAME for codecs of frames (normal, tangent, handedness), ROTATION for
+// those of rotations; TABLE where the codec encodes by the table of
 // best_fit.glsl. With TEXTBOOK the function is one of textbook.glsl.
 #version 450
 #extension GL_GOOGLE_include_directive : require
@@ -19,6 +20,8 @@ vec3 vector(uint w[READ], int first) {
 CODE code(uint w[READ], int n) {
 #ifdef FRAME
     return ENCODE(vector(w, 7 * n), vec4(vector(w, 7 * n + 3), uintBitsToFloat(w[7 * n + 6])));
+#elif defined(ROTATION)
+    return ENCODE(vec4(vector(w, 4 * n), uintBitsToFloat(w[4 * n + 3])));
 #else
     return ENCODE(vector(w, 3 * n));
 #endif

@@ -18,9 +18,11 @@ layout(set = 0, binding = 1) writeonly buffer Output { uint sums[]; };
 // 2^-12 and two other small steps: the sizes and signs of components change now and then, as from pixel to pixel.
 const vec3 NUDGE = vec3(1.0 / 4096.0, -1.0 / 8192.0, 1.0 / 6144.0);
 
-// The vector is the normal of a frame, and its turn about (1, 1, 1) the tangent.
+// The vector is the normal of a frame, and its turn about (1, 1, 1) the tangent; of a quaternion it is all but w, which is y.
 #ifdef FRAME
 #define CODE_OF(v) ENCODE(v, v.yzxx)
+#elif defined(ROTATION)
+#define CODE_OF(v) ENCODE(v.xyzy)
 #else
 #define CODE_OF(v) ENCODE(v)
 #endif

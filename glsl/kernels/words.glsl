@@ -1,8 +1,10 @@
-// Groups of four vectors, frames or codes as whole words. BYTES is the size of a code, FRAME is defined for frames,
-// ENCODE or DECODE tells the direction. Codes of more than 32 bits are uvec2, low word first.
+// Groups of four vectors, frames, rotations or codes as whole words. BYTES is the size of a code, FRAME is defined for
+// frames, ROTATION for rotations, ENCODE or DECODE tells the direction. Codes of more than 32 bits are uvec2, low word first.
 
 #ifdef FRAME
 #define FLOATS 7
+#elif defined(ROTATION)
+#define FLOATS 4
 #else
 #define FLOATS 3
 #endif

@@ -22,6 +22,7 @@
 #include "cube.glsl"
 #include "parallel.glsl"
 #include "frame.glsl"
+#include "quat.glsl"
 #include "formats.glsl"
 #include "or_null.glsl"
 #include "dither.glsl"

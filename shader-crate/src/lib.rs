@@ -1,4 +1,5 @@
-//! Unit-vector codecs: normals, tangents and light directions in 8 to 52 bits, tangent frames in 32 or 64.
+//! Unit-vector codecs: normals, tangents and light directions in 8 to 52 bits, tangent frames in 32 or 64, rotations in 24 to
+//! 64.
 //!
 //! Every codec is a type with two total functions, [`Codec::encode`] and [`Codec::decode`]. The same source runs on the
 //! CPU and, compiled to SPIR-V by rust-gpu, on the GPU. There integers put the device's division and square roots right.
@@ -61,7 +62,8 @@
 //! The [types](#types) below are all codecs, with bits, bytes, the bound of the error, and the format if there is one;
 //! `docs/costs.md` of the repository says more on the choice.
 //!
-//! A tangent frame (normal, tangent, handedness) takes 32 bits as [`Frame32`] or 64 as [`Frame64`]: see [`frame`].
+//! A tangent frame (normal, tangent, handedness) takes 32 bits as [`Frame32`] or 64 as [`Frame64`]: see [`frame`]. A rotation,
+//! a unit quaternion, takes 24 to 64 as [`Quat24`] to [`Quat64`]: see [`quat`].
 //! Whole slices and vertex buffers: see [`mod@slice`]. To choose a codec by its name at run time, take the crate
 //! `unitvec-catalogue`.
 //!
@@ -128,13 +130,14 @@ pub mod interop;
 #[doc(hidden)]
 pub mod kernels;
 mod list;
+pub mod quat;
 #[cfg(not(target_arch = "spirv"))]
 pub mod slice;
 #[cfg(not(target_arch = "spirv"))]
 pub mod table;
 
 #[cfg(not(target_arch = "spirv"))]
-pub use angle::angle_deg;
+pub use angle::{angle_deg, rotation_angle_deg};
 pub use codec::{Codec, Domain, OrNull};
 pub use coded::Code;
 pub use families::{angles::*, components::*, lattices::*, octahedral::*, projections::*};
@@ -142,6 +145,8 @@ pub use families::{angles::*, components::*, lattices::*, octahedral::*, project
 pub use frame::{Frame, Frame32, Frame64, FrameCodec};
 pub use glam;
 pub use list::*;
+#[doc(inline)]
+pub use quat::RotationCodec;
 
 /// The traits, frames, and the types of all codecs. Unlike the crate itself it has no modules, and no [`glam`]: with
 /// `use unitvec::*` the name is ambiguous in programs that use a glam of their own.
@@ -155,7 +160,7 @@ pub use list::*;
 /// ```
 pub mod prelude {
     #[doc(no_inline)]
-    pub use crate::{Code, Codec, Frame, Frame32, Frame64, FrameCodec, OrNull, list::*};
+    pub use crate::{Code, Codec, Frame, Frame32, Frame64, FrameCodec, OrNull, RotationCodec, list::*};
 }
 
 #[cfg(doctest)]

@@ -19,6 +19,7 @@
 use crate::azimuthal::{Concentric, Ellipse, Eqarea, Eqdist, Plain, Stereo};
 use crate::codec::{Codec, Domain, Width};
 use crate::frame::FrameCodec;
+use crate::quat::RotationCodec;
 
 /// Calls the macro `callback` with the rows of all codecs of vectors, by family and width.
 ///
@@ -183,6 +184,20 @@ macro_rules! for_each_frame {
     };
 }
 
+/// Calls the macro `callback` with the rows of all codecs of rotations: identifier, type, Vulkan format.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! for_each_rotation {
+    ($callback:ident) => {
+        $callback! {
+            [quat24 Quat24 = quat::Quat<24>, None]
+            [quat32 Quat32 = quat::Quat<32>, Some("VK_FORMAT_R32_UINT")]
+            [quat48 Quat48 = quat::Quat<48, [u32; 2]>, None]
+            [quat64 Quat64 = quat::Quat<64, [u32; 2]>, Some("VK_FORMAT_R32G32_UINT")]
+        }
+    };
+}
+
 /// A codec of the list, with the data of its row.
 pub trait Listed: Codec {
     /// Identifier, such as `oct16p`.
@@ -214,6 +229,18 @@ pub trait ListedFrame: FrameCodec {
 
     /// The Vulkan format that holds a code.
     const VK_FORMAT: &'static str;
+}
+
+/// A codec of rotations of the list, with the data of its row.
+pub trait ListedRotation: RotationCodec {
+    /// Identifier, such as `quat32`.
+    const NAME: &'static str;
+
+    /// Name of the type in this crate: `Quat32`.
+    const RUST_TYPE: &'static str;
+
+    /// The Vulkan format that holds a code, if there is one.
+    const VK_FORMAT: Option<&'static str>;
 }
 
 /// Defines each row's type and implements [`Listed`] for it.
@@ -256,3 +283,23 @@ macro_rules! define_frames {
 }
 
 for_each_frame!(define_frames);
+
+/// Defines each row's type and implements [`ListedRotation`] for it.
+macro_rules! define_rotations {
+    ($([$id:ident $codec:ident = quat::$type:ident<$($parameter:tt),*>, $vk_format:expr])*) => {$(
+        #[doc = concat!("`", stringify!($id), "`: ", facts!($id), ".")]
+        ///
+        /// Layout, errors and use: [`quat`](crate::quat).
+        pub type $codec = crate::quat::$type<$($parameter),*>;
+
+        impl Width for $codec {}
+
+        impl ListedRotation for $codec {
+            const NAME: &'static str = stringify!($id);
+            const RUST_TYPE: &'static str = stringify!($codec);
+            const VK_FORMAT: Option<&'static str> = $vk_format;
+        }
+    )*};
+}
+
+for_each_rotation!(define_rotations);

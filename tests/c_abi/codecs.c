@@ -36,16 +36,22 @@ static uint64_t load(const unsigned char *bytes, size_t size) {
 #define VECTOR64(id) FUNCTIONS(id, unitvec_vec3, uint64_t)
 #define FRAME32(id) FUNCTIONS(id, unitvec_frame, uint32_t)
 #define FRAME64(id) FUNCTIONS(id, unitvec_frame, uint64_t)
+#define ROTATION32(id) FUNCTIONS(id, unitvec_quat, uint32_t)
+#define ROTATION64(id) FUNCTIONS(id, unitvec_quat, uint64_t)
 #include "codecs.inc"
 #undef VECTOR32
 #undef VECTOR64
 #undef FRAME32
 #undef FRAME64
+#undef ROTATION32
+#undef ROTATION64
 
 #define VECTOR32(id) {#id, id##_encode_one, id##_decode_one},
 #define VECTOR64 VECTOR32
 #define FRAME32 VECTOR32
 #define FRAME64 VECTOR32
+#define ROTATION32 VECTOR32
+#define ROTATION64 VECTOR32
 static const struct {
     const char *id;
     uint64_t (*encode)(const float *);

@@ -35,7 +35,11 @@ fn codecs() -> String {
                     Generated: `cargo xtask renew c`.\n"
         .to_owned();
     for codec in &CODECS {
-        let element = if codec.element == Element::Vector { VECTOR } else { FRAME };
+        let element = match codec.element {
+            Element::Vector => VECTOR,
+            Element::Frame => FRAME,
+            Element::Rotation => ROTATION,
+        };
         write!(text, "{}", functions(codec, &about(codec), element)).unwrap();
     }
     text
@@ -49,7 +53,7 @@ fn about(codec: &AnyCodec) -> String {
     }
 }
 
-/// The words in the functions of vectors, or of frames.
+/// The words in the functions of an element.
 #[derive(Clone, Copy)]
 struct Names {
     element: &'static str,
@@ -59,6 +63,7 @@ struct Names {
 
 const VECTOR: Names = Names { element: "vector", r#type: "Vec3", suffix: "" };
 const FRAME: Names = Names { element: "frame", r#type: "Frame", suffix: "_frame" };
+const ROTATION: Names = Names { element: "rotation", r#type: "Quat", suffix: "_rotation" };
 
 fn functions(codec: &AnyCodec, about: &str, names: Names) -> String {
     let AnyCodec { id, rust_type, bits, .. } = codec;
@@ -91,6 +96,8 @@ pub fn calls() -> String {
     let kind = |format: &AnyCodec| match (format.element.floats(), format.bits) {
         (3, ..=32) => "VECTOR32",
         (3, _) => "VECTOR64",
+        (4, ..=32) => "ROTATION32",
+        (4, _) => "ROTATION64",
         (_, ..=32) => "FRAME32",
         _ => "FRAME64",
     };

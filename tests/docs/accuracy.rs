@@ -1,7 +1,7 @@
 //! The errors of all codecs, as measured for the docs.
 
 use super::compare;
-use unitvec_catalogue::{AnyCodec, CODECS, Domain, Element, Measured, find, frames, vectors};
+use unitvec_catalogue::{AnyCodec, CODECS, Domain, Element, Measured, find, frames, rotations, vectors};
 use unitvec_lab::accuracy::meyer::worst_error;
 use unitvec_lab::accuracy::{Row, Table, chart, covering_bound_deg};
 use unitvec_run::backend::Cpu;
@@ -49,7 +49,7 @@ fn measure() {
     for codec in &CODECS {
         let worst = match codec.element {
             Element::Vector => worst_error(&mut Cpu, codec, 1_000_000, 1).unwrap().0,
-            Element::Frame => 0.0,
+            Element::Frame | Element::Rotation => 0.0,
         };
         for (of, errors) in sampled(codec, COUNT, 1) {
             let worst = if of == "above" { 0.0 } else { worst };
@@ -86,7 +86,7 @@ fn committed_errors_are_what_codecs_have() {
     }
     let of_sphere = vectors().iter().filter(|codec| codec.domain == Domain::Sphere).count();
     let lines = std::fs::read_to_string(repository().join(RECORD)).unwrap().lines().count();
-    assert_eq!(lines - 1, vectors().len() + of_sphere + 2 * frames().len());
+    assert_eq!(lines - 1, vectors().len() + of_sphere + 2 * frames().len() + rotations().len());
 }
 
 /// A precise encoder's mean error is below that of the fast encoder of its format.

@@ -24,6 +24,18 @@ pub fn frames() -> Vec<[f32; 7]> {
     special_frames().into_iter().chain(random).take(CASES).collect()
 }
 
+/// The inputs for rotations: the special vectors with three values of w, then random unit quaternions.
+pub fn rotations() -> Vec<[f32; 4]> {
+    let mut rng = Rng::new(3);
+    let random = std::iter::repeat_with(|| {
+        let q = [(); 4].map(|()| rng.range(-1.0, 1.0));
+        let length = q.iter().map(|c| c * c).sum::<f64>().sqrt();
+        q.map(|c| (c / length) as f32)
+    });
+    let special = special().into_iter().flat_map(|[x, y, z]| [[x, y, z, 0.0], [x, y, z, 1.0], [z, x, y, -x]]);
+    special.step_by(2).chain(random).take(CASES).collect()
+}
+
 /// A unit vector: three random numbers from -1 to 1, divided by the vector's length.
 fn direction(rng: &mut Rng) -> [f64; 3] {
     normalize([(); 3].map(|()| rng.range(-1.0, 1.0)))

@@ -88,6 +88,7 @@ fn text(codec: &AnyCodec) -> String {
             "normal.x normal.y normal.z tangent.x tangent.y tangent.z handedness",
             inputs::frames().into_iter().map(|frame| line(codec, frame)).collect(),
         ),
+        Element::Rotation => ("x y z w", inputs::rotations().into_iter().map(|q| line(codec, q)).collect()),
     };
     let AnyCodec { id, bits, bytes, domain, .. } = *codec;
     let domain = if domain == Domain::Hemisphere { "hemisphere" } else { "sphere" };

@@ -298,12 +298,12 @@ impl Bench {
     fn elements(&self, element: Element) -> Vec<u8> {
         match element {
             Element::Vector => self.vectors.clone(),
-            Element::Frame => random_elements(element, self.options.count),
+            Element::Frame | Element::Rotation => random_elements(element, self.options.count),
         }
     }
 }
 
-/// The bytes of random vectors or frames.
+/// The bytes of random elements.
 fn random_elements(element: Element, count: usize) -> Vec<u8> {
     let floats = sampling::random_elements(element, Domain::Sphere, 1);
     let floats: Vec<f32> = floats.take(count * element.floats()).collect();

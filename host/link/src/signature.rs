@@ -11,7 +11,7 @@ pub enum Type {
     Uvec2,
     /// A vector.
     Vec3,
-    /// A tangent, with the handedness as its fourth component.
+    /// A rotation, or a tangent with the handedness as its fourth component.
     Vec4,
     /// A struct of normal and tangent: [`Vec3`](Self::Vec3), [`Vec4`](Self::Vec4).
     Frame,
@@ -38,7 +38,9 @@ impl Signature {
             (Operation::Encode, Element::Frame) => {
                 (vec![("normal", Type::Vec3), ("tangent", Type::Vec4)], code)
             }
+            (Operation::Encode, Element::Rotation) => (vec![("q", Type::Vec4)], code),
             (Operation::Decode, Element::Vector) => (vec![("code", code)], Type::Vec3),
+            (Operation::Decode, Element::Rotation) => (vec![("code", code)], Type::Vec4),
             (Operation::Decode, Element::Frame) => (vec![("code", code)], Type::Frame),
         };
         Self { name, parameters, result }

@@ -1,4 +1,5 @@
-//! Vertex normals from mesh files: Wavefront OBJ, PLY and glTF 2.0; from the latter tangent frames as well.
+//! Vertex normals from mesh files: Wavefront OBJ, PLY and glTF 2.0; from the latter tangent frames and the rotations of
+//! animations as well.
 //!
 //! A file's own vertex normals are passed on as they are, NaN included (but the PLY parser refuses `nan` and `inf` in
 //! ASCII files). Where a file has none, they are computed from its faces.
@@ -85,18 +86,28 @@ pub struct Frames {
     pub parts: Vec<Part>,
 }
 
-/// The range of the vertices of a mesh or primitive.
+/// Rotations of the animations of a glTF file, as unit quaternions x, y, z, w: animation by animation in file order, sampler by
+/// sampler, key by key. Tangents of cubic splines are left out. What several samplers share comes once, at the first of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rotations {
+    /// The rotations, as the file has them.
+    pub rotations: Vec<[f32; 4]>,
+    /// The ranges of the rotations of each sampler.
+    pub parts: Vec<Part>,
+}
+
+/// The range of the vertices of a mesh or primitive, or of the keys of a sampler of rotations.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, schemars::JsonSchema)]
 pub struct Part {
-    /// Index of the mesh in the file.
+    /// Index of the mesh in the file; of a sampler, its animation.
     pub mesh: usize,
-    /// The mesh's name, where a glTF file gives one; of long names the first 200 characters.
+    /// The name of the mesh or the animation, where a glTF file gives one; of long names the first 200 characters.
     pub name: Option<Arc<str>>,
-    /// Index of the primitive in its mesh.
+    /// Index of the primitive in its mesh, or of the sampler in its animation.
     pub primitive: usize,
-    /// Index of its first vector or frame.
+    /// Index of its first vector, frame or rotation.
     pub first: usize,
-    /// Number of its vectors or frames.
+    /// Number of its vectors, frames or rotations.
     pub count: usize,
     /// True where the normals were computed from faces.
     pub computed: bool,
@@ -178,6 +189,12 @@ pub enum MeshError {
         path: PathBuf,
         /// The first primitive without them, after ": "; empty where no primitive has any.
         lacking: String,
+    },
+    /// A file without animations that rotate; OBJ and PLY have none at all.
+    #[error("{path} has no animation of rotations; name a .gltf or .glb that has, or raw floats x, y, z, w")]
+    NoRotations {
+        /// The file.
+        path: PathBuf,
     },
     /// The elements do not fit into memory.
     #[error("{path} has {count} elements, too many for the memory; split the mesh, or take a larger machine")]
@@ -278,6 +295,23 @@ pub fn parse_frames(
         FileFormat::Obj | FileFormat::Ply => {
             Err(MeshError::NoTangents { path: path.into(), lacking: String::new() })
         }
+    }
+}
+
+/// Reads the rotations of the animations of a file in memory, as [`parse`] does its normals.
+///
+/// # Errors
+///
+/// The errors of [`parse`]; [`MeshError::NoRotations`] for a file without such animations.
+pub fn parse_rotations(
+    path: &Path,
+    format: FileFormat,
+    bytes: &[u8],
+    reach: Reach,
+) -> Result<Rotations, MeshError> {
+    match format {
+        FileFormat::Gltf => gltf::parse_rotations(path, bytes, reach),
+        FileFormat::Obj | FileFormat::Ply => Err(MeshError::NoRotations { path: path.into() }),
     }
 }
 

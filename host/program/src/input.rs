@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use unitvec_catalogue::Element;
 use unitvec_files::shown;
 use unitvec_mesh as mesh;
-use unitvec_mesh::{FileFormat, Frames, Mesh, MeshError, Part, Reach};
+use unitvec_mesh::{FileFormat, Frames, Mesh, MeshError, Part, Reach, Rotations};
 
 /// Endings of files that hold raw floats.
 pub const RAW_ENDINGS: [&str; 3] = ["bin", "f32", "raw"];
@@ -269,6 +269,10 @@ impl Elements {
             (Some(_), Element::Frame) => {
                 let Frames { frames, parts } = input.parse(mesh::parse_frames, kind.reach)?;
                 Ok(Self::of_mesh(frames, parts))
+            }
+            (Some(_), Element::Rotation) => {
+                let Rotations { rotations, parts } = input.parse(mesh::parse_rotations, kind.reach)?;
+                Ok(Self::of_mesh(rotations, parts))
             }
         }
     }

@@ -8,9 +8,10 @@ use crate::{Error, Result};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::path::Path;
-use unitvec::angle_deg;
+use unitvec::direction::is_usable;
+use unitvec::{angle_deg, rotation_angle_deg};
 use unitvec_catalogue::{AnyCodec, Element};
-use unitvec_mesh::has_direction;
+
 use unitvec_run::backend::{Backend, CHUNK};
 
 /// The errors of one codec over one file, or over all of them.
@@ -56,10 +57,10 @@ pub struct Worst {
     pub file: FileName,
     /// The vector's place in the file, counted from 0.
     pub index: u64,
-    /// The vector.
-    pub original: [f32; 3],
-    /// The decoded vector.
-    pub decoded: [f32; 3],
+    /// The vector, or the rotation x, y, z, w.
+    pub original: Vec<f32>,
+    /// The decoded one.
+    pub decoded: Vec<f32>,
 }
 
 /// The errors of all files.
@@ -203,7 +204,7 @@ impl Meter {
                 let mut elements = originals.to_vec();
                 let pairs = elements.chunks_exact_mut(element.floats()).zip(decoded.chunks(element.floats()));
                 pairs
-                    .filter(|(_, made)| !has_direction(vector(made, part)))
+                    .filter(|(_, made)| !is_part_usable(made, element, part))
                     .for_each(|(original, _)| original.fill(0.0));
                 let elements = &elements;
                 tally.add_all(&Chunk { file, id: AS_IT_IS, before, element, part, elements, decoded })?;
@@ -229,6 +230,7 @@ fn parts(element: Element) -> &'static [&'static str] {
     match element {
         Element::Vector => &["vector"],
         Element::Frame => &["normal", "tangent"],
+        Element::Rotation => &["rotation"],
     }
 }
 
@@ -272,11 +274,13 @@ impl Chunk<'_> {
     fn errors(&self) -> Vec<Option<f64>> {
         let floats = self.element.floats();
         let pairs = self.elements.par_chunks_exact(floats).zip(self.decoded.par_chunks_exact(floats));
-        pairs.map(|(original, decoded)| error(original, decoded, self.part)).collect()
+        pairs.map(|(original, decoded)| error(original, decoded, self.element, self.part)).collect()
     }
 
     fn worst(&self, at: usize) -> Worst {
-        let of = |elements: &[f32]| vector(&elements[at * self.element.floats()..], self.part);
+        let of = |elements: &[f32]| {
+            part_of(&elements[at * self.element.floats()..], self.element, self.part).to_vec()
+        };
         Worst {
             file: self.file.into(),
             index: self.before + at as u64,
@@ -286,13 +290,26 @@ impl Chunk<'_> {
     }
 }
 
-fn vector(element: &[f32], part: usize) -> [f32; 3] {
-    std::array::from_fn(|component| element[3 * part + component])
+fn part_of(floats: &[f32], element: Element, part: usize) -> &[f32] {
+    let each = element.part_floats();
+    &floats[each * part..][..each]
 }
 
-fn error(original: &[f32], decoded: &[f32], part: usize) -> Option<f64> {
-    let is_usable = |part: usize| has_direction(vector(original, part));
-    (0..=part).all(is_usable).then(|| angle_deg(vector(original, part), vector(decoded, part)))
+fn is_part_usable(floats: &[f32], element: Element, part: usize) -> bool {
+    is_usable(part_of(floats, element, part).iter().map(|component| component.abs()).sum())
+}
+
+fn error(original: &[f32], decoded: &[f32], element: Element, part: usize) -> Option<f64> {
+    if !(0..=part).all(|part| is_part_usable(original, element, part)) {
+        return None;
+    }
+    Some(match (part_of(original, element, part), part_of(decoded, element, part)) {
+        (&[x, y, z, w], &[dx, dy, dz, dw]) => rotation_angle_deg([x, y, z, w], [dx, dy, dz, dw]),
+        (original, decoded) => {
+            let vector = |v: &[f32]| [v[0], v[1], v[2]];
+            angle_deg(vector(original), vector(decoded))
+        }
+    })
 }
 
 /// Low bits of an error, as f32, that its bin disregards: the bins are 2^-11 of their errors wide, so that their middles

@@ -152,7 +152,8 @@ impl fmt::Display for Suspicion {
 pub fn suspicion(element: Element, floats: &[f32], is_whole: bool) -> Option<Suspicion> {
     let each = element.floats();
     let most_have = |floats: &[f32], is_it: fn(f64) -> bool| {
-        let length = |v: &[f32]| v[..3].iter().map(|c| f64::from(*c).powi(2)).sum::<f64>().sqrt();
+        let length =
+            |v: &[f32]| v[..element.part_floats()].iter().map(|c| f64::from(*c).powi(2)).sum::<f64>().sqrt();
         let lengths = floats.chunks_exact(each).map(length).filter(|length| *length != 0.0);
         let (are, all) =
             lengths.fold((0, 0), |(are, all), length| (are + usize::from(is_it(length)), all + 1));

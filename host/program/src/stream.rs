@@ -1,9 +1,10 @@
-//! Files of vectors or frames, which are little-endian f32, and of codes, converted chunk by chunk.
+//! Files of elements, which are little-endian f32, and of codes, converted chunk by chunk.
 
 use crate::raw::{Suspicion, read_until_full, suspicion, swap_if_big_endian};
 use crate::{Error, Result};
 use std::io::{Read, Write};
 use std::path::Path;
+use unitvec::direction::is_usable;
 use unitvec_catalogue::{AnyCodec, Domain, Element, Null};
 use unitvec_mesh::has_direction;
 use unitvec_run::backend::{Backend, CHUNK};
@@ -48,10 +49,10 @@ impl Places {
 /// Counts of the elements encoded.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Counts {
-    /// Vectors or frames.
+    /// Vectors, frames or rotations.
     pub elements: u64,
-    /// Vectors, or normals of frames, without a direction that codecs can use (see [`has_direction`]); in codes also
-    /// those with nothing to store: -Z for a codec of the hemisphere, components that all round to 0. Stored as +Z.
+    /// Vectors, rotations, or normals of frames, without a direction that codecs can use (see [`has_direction`]); in codes also
+    /// those with nothing to store: -Z for a codec of the hemisphere, components that all round to 0. Stored as +Z, rotations as the identity.
     pub no_direction: Places,
     /// Vectors without a direction that were stored as the null code.
     pub nulls: u64,
@@ -82,9 +83,10 @@ impl Counts {
     fn add_normals(&mut self, element: Element, floats: &[f32]) -> u64 {
         let before = self.elements;
         self.elements += (floats.len() / element.floats()) as u64;
-        for (at, vector) in (before..).zip(vectors(element, floats, 0)) {
-            if has_direction(vector) {
-                let length = vector.iter().map(|c| f64::from(*c).powi(2)).sum::<f64>().sqrt();
+        let parts = floats.chunks_exact(element.floats()).map(|floats| &floats[..element.part_floats()]);
+        for (at, part) in (before..).zip(parts) {
+            if is_usable(part.iter().map(|c| c.abs()).sum()) {
+                let length = part.iter().map(|c| f64::from(*c).powi(2)).sum::<f64>().sqrt();
                 let [least, most] = self.lengths.unwrap_or([length; 2]);
                 self.lengths = Some([least.min(length), most.max(length)]);
             } else {
@@ -169,6 +171,7 @@ pub fn encode(
         write(&mut output, codes)?;
         match format.element {
             Element::Vector => done.add_vectors(format, &z_code, elements, codes),
+            Element::Rotation => done.add(Element::Rotation, elements),
             Element::Frame => {
                 let turned_codes = &mut turned_codes[..codes.len()];
                 backend.encode(format, &turned(elements), turned_codes)?;

@@ -283,6 +283,8 @@ pub(super) fn encoded(format: &AnyCodec, normals: &[[f32; 3]]) -> Result<Vec<u8>
     let mut codes = vec![0; normals.len() * format.bytes];
     let elements: Vec<f32> = match format.element {
         Element::Vector => normals.as_flattened().to_vec(),
+        // Nothing draws rotations.
+        Element::Rotation => Vec::new(),
         Element::Frame => normals.iter().flat_map(|[x, y, z]| [*x, *y, *z, *y, *z, *x, 1.0]).collect(),
     };
     format.encode_cpu(&elements, &mut codes)?;

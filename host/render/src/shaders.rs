@@ -52,12 +52,12 @@ mod tests {
     use super::*;
     use rspirv::dr::load_bytes;
     use std::collections::BTreeSet;
-    use unitvec_catalogue::CODECS;
+    use unitvec_catalogue::directions;
 
     #[test]
     fn every_codec_has_a_module() {
         let names: BTreeSet<&str> = modules().collect();
-        for name in CODECS.iter().map(|format| format.id).chain(["float", "fullscreen"]) {
+        for name in directions().iter().map(|format| format.id).chain(["float", "fullscreen"]) {
             assert!(names.contains(format!("{name}.spv").as_str()), "{name}");
         }
     }

@@ -150,12 +150,12 @@ pub fn texels_of(codes: &[u8], format: ImageFormat, code_bytes: usize) -> Vec<u8
 #[cfg(test)]
 mod tests {
     use super::*;
-    use unitvec_catalogue::CODECS;
+    use unitvec_catalogue::directions;
 
     /// A codec's format is known, and a texel has room for its code.
     #[test]
     fn every_codec_has_storage() {
-        for format in &CODECS {
+        for format in directions() {
             let storage = Storage::of(format);
             let is_integer = matches!(storage, Storage::Uint | Storage::Uint2);
             let names_integer = format.vk_format.is_none_or(|name| name.ends_with("32_UINT"));

@@ -210,8 +210,10 @@ fn macros(format: &AnyCodec, operation: Operation, function: &str) -> Vec<(Strin
         (operation.to_string().to_uppercase(), function.to_owned()),
         ("BYTES".into(), format.bytes.to_string()),
     ];
-    if format.element == Element::Frame {
-        macros.push(("FRAME".into(), "1".into()));
+    match format.element {
+        Element::Vector => {}
+        Element::Frame => macros.push(("FRAME".into(), "1".into())),
+        Element::Rotation => macros.push(("ROTATION".into(), "1".into())),
     }
     if operation == Operation::Encode && format.encodes_by_table {
         macros.push(("TABLE".into(), "1".into()));

@@ -2,7 +2,7 @@
 
 use crate::backend::{Backend, round_trip};
 use crate::{Result, sampling};
-use unitvec::angle_deg;
+use unitvec::{angle_deg, rotation_angle_deg};
 use unitvec_catalogue::{AnyCodec, Domain};
 
 /// Mean and maximum of a series of errors.
@@ -17,7 +17,11 @@ pub struct ErrorStats {
 impl ErrorStats {
     /// Adds the error between a direction and its decoded one.
     pub fn add(&mut self, original: [f32; 3], decoded: [f32; 3]) {
-        let error = angle_deg(original, decoded);
+        self.add_deg(angle_deg(original, decoded));
+    }
+
+    /// Adds an error in degrees.
+    pub fn add_deg(&mut self, error: f64) {
         self.sum += error;
         self.sum_of_squares += error * error;
         self.max = self.max.max(error);
@@ -42,18 +46,21 @@ impl ErrorStats {
     }
 }
 
-/// Errors of the vectors in elements: of a vector itself; of a frame's normal and its tangent.
+/// Errors of elements: of a vector or a rotation itself; of a frame's normal and its tangent.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ElementErrors {
-    /// Errors of the vectors or normals.
+    /// Errors of the vectors, rotations or normals.
     pub normal: ErrorStats,
-    /// Errors of the tangents; empty for vectors.
+    /// Errors of the tangents; empty for others.
     pub tangent: ErrorStats,
 }
 
 impl ElementErrors {
     /// Adds the errors between an element and its decoded one.
     pub fn add(&mut self, original: &[f32], decoded: &[f32]) {
+        if let (&[ax, ay, az, aw], &[bx, by, bz, bw]) = (original, decoded) {
+            return self.normal.add_deg(rotation_angle_deg([ax, ay, az, aw], [bx, by, bz, bw]));
+        }
         let vector = |v: &[f32]| [v[0], v[1], v[2]];
         let vectors = original.chunks_exact(3).map(vector).zip(decoded.chunks_exact(3).map(vector));
         for (errors, (original, decoded)) in [&mut self.normal, &mut self.tangent].into_iter().zip(vectors) {
@@ -62,7 +69,7 @@ impl ElementErrors {
     }
 }
 
-/// Measures a codec over `count` random directions of the domain, or frames, by the survey's method (section 4.1).
+/// Measures a codec over `count` random directions of the domain, frames or rotations, by the survey's method (section 4.1).
 ///
 /// # Errors
 /// An error of the backend.

@@ -23,7 +23,8 @@ use crate::arith::{inverse_root, quotient, reciprocal, root};
 use crate::best_fit::{EncodeByTable, TABLE_WORDS};
 use crate::codec::{Codec, RawCode};
 use crate::frame::{Frame, FrameCodec};
-use crate::{for_each_codec, for_each_frame};
+use crate::quat::RotationCodec;
+use crate::{for_each_codec, for_each_frame, for_each_rotation};
 use glam::Vec3;
 use spirv_std::spirv;
 
@@ -133,7 +134,7 @@ macro_rules! kernel {
 /// The kernel that encodes with this function of a codec; `by_table` as a last argument for codecs that encode by a table.
 macro_rules! encode_kernel {
     ($codec:ident $encode:ident) => {
-        kernel!("Encodes four vectors or frames." encode(group, input, output) {
+        kernel!("Encodes four vectors, rotations or frames." encode(group, input, output) {
             super::encode::<_, FourCodes, _>(group, input, output, crate::$codec::$encode);
         });
     };
@@ -180,7 +181,14 @@ macro_rules! frame_kernels {
     };
 }
 
+macro_rules! rotation_kernels {
+    ($([$id:ident $codec:ident = $($rest:tt)*])*) => {
+        kernels! { RotationCodec encode_vec4 decode_vec4: $([$id $codec])* }
+    };
+}
+
 for_each_codec!(codec_kernels);
+for_each_rotation!(rotation_kernels);
 for_each_frame!(frame_kernels);
 
 kernel!("Decodes four codes of two bytes by looking their vectors up."

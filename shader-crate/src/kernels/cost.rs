@@ -8,7 +8,8 @@ use super::{CodeWords, element};
 use crate::best_fit::{EncodeByTable, TABLE_WORDS};
 use crate::codec::{Codec, RawCode};
 use crate::frame::{Frame, FrameCodec};
-use crate::{for_each_codec, for_each_frame};
+use crate::quat::RotationCodec;
+use crate::{for_each_codec, for_each_frame, for_each_rotation};
 use glam::Vec3;
 use spirv_std::spirv;
 
@@ -160,6 +161,27 @@ macro_rules! kernels {
 }
 
 for_each_codec!(kernels);
+
+/// A module of kernels for each codec of rotations, named after it.
+macro_rules! rotation_kernels {
+    ($([$id:ident $codec:ident = $($rest:tt)*])*) => { $(
+        #[doc = concat!("Kernels of [`", stringify!($codec), "`](crate::", stringify!($codec), ").")]
+        pub mod $id {
+            use super::*;
+
+            kernel!(
+                "Encodes a vector and its neighbours, each as a quaternion whose w is its y."
+                encode_cost = encode, |v| crate::$codec::encode_vec4(v.extend(v.y))
+            );
+            kernel!("Decodes a code and its successors." decode_cost = decode, |words| {
+                let q = crate::$codec::decode_vec4(RawCode::from_words(words));
+                q.truncate() * q.w
+            });
+        }
+    )* };
+}
+
+for_each_rotation!(rotation_kernels);
 
 /// A module of kernels for each codec of frames, named after it.
 macro_rules! frame_kernels {

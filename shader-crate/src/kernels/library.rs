@@ -4,7 +4,8 @@
 
 use crate::codec::{Codec, RawCode};
 use crate::frame::{Frame, FrameCodec};
-use crate::{for_each_codec, for_each_frame};
+use crate::quat::RotationCodec;
+use crate::{for_each_codec, for_each_frame, for_each_rotation};
 use glam::{UVec2, Vec3, Vec4};
 use spirv_std::spirv;
 
@@ -48,6 +49,33 @@ macro_rules! functions {
 }
 
 for_each_codec!(functions);
+
+/// A module of functions for each codec of rotations, named after it.
+macro_rules! rotation_functions {
+    ($([$id:ident $codec:ident = $($rest:tt)*])*) => { $(
+        #[doc = concat!("Functions of [`", stringify!($codec), "`](crate::", stringify!($codec), ").")]
+        pub mod $id {
+            use super::*;
+
+            /// The code as it is passed.
+            type PassedCode = <<crate::$codec as RotationCodec>::Code as Passed>::As;
+
+            /// The code of a rotation.
+            #[spirv(vertex)]
+            pub fn encode(q: Vec4, code: &mut PassedCode) {
+                *code = crate::$codec::encode_vec4(q).into();
+            }
+
+            /// The rotation of a code.
+            #[spirv(vertex)]
+            pub fn decode(code: PassedCode, q: &mut Vec4) {
+                *q = crate::$codec::decode_vec4(code.into());
+            }
+        }
+    )* };
+}
+
+for_each_rotation!(rotation_functions);
 
 /// A module of functions for each codec of frames, named after it.
 macro_rules! frame_functions {

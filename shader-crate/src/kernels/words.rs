@@ -1,8 +1,8 @@
-//! Groups of four vectors, frames or codes as whole words, and how a kernel reads and writes them.
+//! Groups of four vectors, rotations, frames or codes as whole words, and how a kernel reads and writes them.
 
 use super::CodeWords;
 use crate::frame::Frame;
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 use spirv_std::arch::IndexUnchecked;
 
 /// Elements and codes of a group: four of any width fill whole words.
@@ -105,6 +105,7 @@ words! {
     6: 0 1 2 3 4 5;
     8: 0 1 2 3 4 5 6 7;
     12: 0 1 2 3 4 5 6 7 8 9 10 11;
+    16: 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15;
     28: 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27;
 }
 
@@ -134,6 +135,24 @@ impl Element for Vec3 {
         let ([p, q, r], [s, t, u]) = (bits(a), bits(b));
         let ([v, w, x], [y, z, last]) = (bits(c), bits(d));
         [p, q, r, s, t, u, v, w, x, y, z, last]
+    }
+}
+
+impl Element for Vec4 {
+    type Four = [u32; 16];
+
+    #[inline(always)]
+    fn unpack(words: Self::Four) -> [Self; GROUP] {
+        let at = |n: usize| vector(words[n], words[n + 1], words[n + 2]).extend(f32::from_bits(words[n + 3]));
+        [at(0), at(4), at(8), at(12)]
+    }
+
+    #[inline(always)]
+    fn pack([a, b, c, d]: [Self; GROUP]) -> Self::Four {
+        let bits = |q: Self| [q.x.to_bits(), q.y.to_bits(), q.z.to_bits(), q.w.to_bits()];
+        let ([e, f, g, h], [i, j, k, l]) = (bits(a), bits(b));
+        let ([m, n, o, p], [q, r, s, t]) = (bits(c), bits(d));
+        [e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t]
     }
 }
 

@@ -9,7 +9,7 @@
 //! * Codes may be integers: see [`encode_codes`]. To give other functions a slice of integers, see it as bytes, with
 //!   `bytemuck::cast_slice_mut(&mut codes)`.
 //! * Vectors and codes may lie among the other fields of vertices: see [`encode_strided`].
-//! * Frames have functions of their own: [`encode_frames`].
+//! * Frames and rotations have functions of their own: [`encode_frames`], [`encode_rotations`].
 //! * Slice functions are generic: they are compiled at the `opt-level` of the crate that calls them with a named codec.
 //!   The `opt-level` of `unitvec` chooses the loop: at 0, the development profile's, one vector at a time, else blocks.
 //!   For the speed of a release build raise both: `opt-level = 2` under `[profile.dev]`, or under
@@ -31,7 +31,7 @@
 
 pub(crate) mod block;
 mod coded;
-mod frames;
+mod elements;
 #[doc(hidden)]
 pub mod machine;
 #[cfg(feature = "rayon")]
@@ -50,9 +50,12 @@ pub use stored::Stored;
 use stored::with_size;
 
 pub use coded::{decode_codes, encode_codes};
-pub use frames::{AnyFrame, decode_frames, decode_frames_strided, encode_frames, encode_frames_strided};
+pub use elements::{
+    AnyFrame, AnyRotation, decode_frames, decode_frames_strided, decode_rotations, decode_rotations_strided,
+    encode_frames, encode_frames_strided, encode_rotations, encode_rotations_strided,
+};
 #[cfg(feature = "rayon")]
-pub use frames::{par_decode_frames, par_encode_frames};
+pub use elements::{par_decode_frames, par_decode_rotations, par_encode_frames, par_encode_rotations};
 pub use strided::{Side, StrideError, Strided, decode_strided, encode_strided};
 #[doc(hidden)]
 pub use strided::{decode_strided_with, encode_strided_with};

@@ -28,6 +28,12 @@ fn function(case: &Case) -> String {
         (Operation::Decode, Element::Vector) => {
             format!("float3 {name}({code} c) {{ return unitvec_{name}(c); }}\n")
         }
+        (Operation::Encode, Element::Rotation) => {
+            format!("{code} {name}(float4 q) {{ return unitvec_{name}(q); }}\n")
+        }
+        (Operation::Decode, Element::Rotation) => {
+            format!("float4 {name}({code} c) {{ return unitvec_{name}(c); }}\n")
+        }
         (Operation::Encode, Element::Frame) => {
             format!("{code} {name}(float3 n, float4 t) {{ return unitvec_{name}(n, t); }}\n")
         }

@@ -65,6 +65,7 @@ fn call(format: &AnyCodec, reference: &str) -> String {
     let [encode, decode] = Operation::ALL.map(|operation| format.function(operation));
     match format.element {
         Element::Vector => format!("    {code} = {encode}(normal);\n    normal = {decode}({code});\n"),
+        Element::Rotation => format!("    {code} = {encode}(tangent);\n    tangent = {decode}({code});\n"),
         Element::Frame => format!(
             "    {code} = {encode}(normal, tangent);\n    {decode}({code}, {reference}normal, {reference}tangent);\n"
         ),

@@ -6,7 +6,7 @@ use sha2::{Digest, Sha256};
 #[path = "../../../host/run/src/sampling/special.rs"]
 mod special;
 
-pub use special::{special_frames, special_vectors};
+pub use special::{special_frames, special_rotations, special_vectors};
 
 /// Vectors and codes for each of the released digests.
 pub const COUNT: usize = 1 << 16;

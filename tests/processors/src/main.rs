@@ -5,9 +5,13 @@
 
 use unitvec::codec::RawCode;
 use unitvec::slice::machine::Level;
-use unitvec::slice::{decode_frames, decode_slice_at, encode_frames, encode_slice_at};
-use unitvec::{Frame, Listed, ListedFrame, for_each_codec, for_each_frame};
-use unitvec_processors::{COUNT, Coder, Decode, Encode, special_frames, special_vectors};
+use unitvec::slice::{
+    decode_frames, decode_rotations, decode_slice_at, encode_frames, encode_rotations, encode_slice_at,
+};
+use unitvec::{
+    Frame, Listed, ListedFrame, ListedRotation, for_each_codec, for_each_frame, for_each_rotation,
+};
+use unitvec_processors::{COUNT, Coder, Decode, Encode, special_frames, special_rotations, special_vectors};
 
 fn main() {
     let (vectors, frames) = (special_vectors(), special_frames());
@@ -21,6 +25,11 @@ fn main() {
         ($([$id:ident $codec:ident, $($rest:tt)*])*) => { $(report_frames::<unitvec::$codec>(&frames);)* };
     }
     for_each_frame!(frames);
+    let rotations = special_rotations();
+    macro_rules! rotations {
+        ($([$id:ident $codec:ident = $($rest:tt)*])*) => { $(report_rotations::<unitvec::$codec>(&rotations);)* };
+    }
+    for_each_rotation!(rotations);
 }
 
 /// The number of vectors and codes that the argument asks for. If not all, a sixteenth of that for codecs that are made
@@ -62,6 +71,20 @@ fn report_frames<F: ListedFrame>(special: &[[f32; 7]]) {
     report("values", coder, &encode, &decode, count, special);
     let encode = |frames: &[_], codes: &mut [_]| encode_frames::<F>(frames, codes).expect(SAME);
     let decode = |codes: &[_], frames: &mut [_]| decode_frames::<F>(codes, frames).expect(SAME);
+    report(&format!("{:?}", Level::BASELINE), coder, &encode, &decode, count, special);
+}
+
+fn report_rotations<C: ListedRotation>(special: &[[f32; 4]]) {
+    let encode = |rotations: &[_], codes: &mut [_]| {
+        store(rotations, codes, C::BYTES, |q| C::encode(q).to_words())
+    };
+    let decode = |codes: &[_], rotations: &mut [_]| {
+        load(codes, rotations, C::BYTES, |words| C::decode(C::Code::from_words(words)));
+    };
+    let (coder, count) = ((C::NAME, C::BITS, C::BYTES), count(&[]));
+    report("values", coder, &encode, &decode, count, special);
+    let encode = |rotations: &[_], codes: &mut [_]| encode_rotations::<C>(rotations, codes).expect(SAME);
+    let decode = |codes: &[_], rotations: &mut [_]| decode_rotations::<C>(codes, rotations).expect(SAME);
     report(&format!("{:?}", Level::BASELINE), coder, &encode, &decode, count, special);
 }
 

@@ -95,6 +95,7 @@ fn buffers(kernel: &Kernel) -> [(String, Binding); 2] {
     };
     let (elements, content) = match element {
         Element::Frame => ("frames", "seven f32 a frame (normal, tangent, handedness), packed"),
+        Element::Rotation => ("rotations", "four f32 a rotation (the quaternion x, y, z, w), packed"),
         Element::Vector => ("vectors", "three f32 a vector, packed"),
     };
     let plural = if bytes == 1 { "" } else { "s" };

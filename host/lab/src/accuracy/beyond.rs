@@ -1,4 +1,4 @@
-//! Rows that no published table has: our own families, other codecs, and tangent frames.
+//! Rows that no published table has: our own families, other codecs, tangent frames, and rotations.
 
 use super::{Published, Row, Table, meyer};
 use crate::Result;
@@ -58,6 +58,34 @@ pub fn measure_frame(
     };
     let [normal, tangent] = PUBLISHED_FRAME;
     Ok([row("normal", &errors.normal, normal), row("tangent", &errors.tangent, tangent)])
+}
+
+/// Errors of the smallest three components in 32 bits, of 9 bits and a sign each, as the SPZ format has them, over the
+/// rotations of 1,803,818 splats: mean and maximum (nianticlabs/spz, pull request 41).
+const PUBLISHED_ROTATION: (f64, f64) = (0.0824, 0.2564);
+
+/// Mean and maximum error in degrees of rotation that no code of `bits` bits for rotations can beat.
+///
+/// In flat space the best covering known is the body-centred cubic lattice (Bambah 1954: of lattices the best). Rotations are
+/// half of the sphere of unit quaternions, of volume pi^2, and turn by twice the angle between quaternions. A cell of volume V
+/// reaches sqrt(5) / 4 (2 V)^(1/3); its points are 0.46913 V^(1/3) from its middle on average, which a numerical integral gives.
+pub fn rotation_bound_deg(bits: u32) -> (f64, f64) {
+    let side = (std::f64::consts::PI.powi(2) / 2f64.powi(bits as i32)).cbrt();
+    let (mean, max) = (0.469_13 * side, 5f64.sqrt() / 4.0 * 2f64.cbrt() * side);
+    ((2.0 * mean).to_degrees(), (2.0 * max).to_degrees())
+}
+
+/// Measures a codec of rotations over `count` random ones.
+///
+/// # Errors
+/// Any error of the backend.
+pub fn measure_rotation(backend: &mut dyn Backend, codec: &AnyCodec, count: usize, seed: u64) -> Result<Row> {
+    let errors = measure(backend, codec, codec.domain, count, seed)?.normal;
+    let published = (codec.bits == 32).then_some(PUBLISHED_ROTATION).unzip();
+    let row = Row::new("rotations", "SPZ v3", codec, &errors, errors.max_deg(), published);
+    let (mean, max) = rotation_bound_deg(codec.bits);
+    let wasted_bits = Some(3.0 * (row.mean_deg / mean).log2());
+    Ok(Row { least_mean_deg: Some(mean), least_max_deg: Some(max), wasted_bits, ..row })
 }
 
 /// Of the rows measured, the codec of this many bits with a lower maximum than any row of the survey's table 1, as

@@ -88,7 +88,8 @@ pub struct Row {
     pub survey_mean_deg: Option<f64>,
     /// The published maximum error, degrees; Meyer's bound; `None` at bits without a published figure.
     pub survey_max_deg: Option<f64>,
-    /// The least mean error of as many codes, that of a hexagonal covering, degrees; none for frames.
+    /// The least mean error of as many codes, that of a hexagonal covering, of rotations a body-centred one, degrees; none for
+    /// frames.
     pub least_mean_deg: Option<f64>,
     /// The least maximum error of as many codes, degrees.
     pub least_max_deg: Option<f64>,

@@ -1,5 +1,6 @@
-//! The parts of a document that hold geometry, as its JSON has them.
+//! The parts of a document that hold geometry and rotations, as its JSON has them.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use ::gltf::Semantic;
@@ -47,7 +48,44 @@ impl Primitive {
     }
 }
 
-/// The part of a document that normals and tangents depend on. The rest is skipped.
+/// An animation, as far as rotations depend on it.
+#[derive(serde::Deserialize)]
+pub(super) struct Animation {
+    pub(super) name: Option<Box<str>>,
+    channels: Vec<Channel>,
+    samplers: Vec<Sampler>,
+}
+
+#[derive(serde::Deserialize)]
+struct Channel {
+    sampler: usize,
+    target: Target,
+}
+
+#[derive(serde::Deserialize)]
+struct Target {
+    path: Box<str>,
+}
+
+#[derive(serde::Deserialize)]
+struct Sampler {
+    output: u32,
+    interpolation: Option<Box<str>>,
+}
+
+impl Animation {
+    /// The samplers of rotations, each once: its place, the accessor of its values, and whether these have tangents beside them.
+    pub(super) fn rotations(&self) -> impl Iterator<Item = (usize, u32, bool)> {
+        let of_rotations = self.channels.iter().filter(|channel| &*channel.target.path == "rotation");
+        let samplers: BTreeSet<usize> = of_rotations.map(|channel| channel.sampler).collect();
+        samplers.into_iter().filter_map(|at| {
+            let sampler = self.samplers.get(at)?;
+            Some((at, sampler.output, sampler.interpolation.as_deref() == Some("CUBICSPLINE")))
+        })
+    }
+}
+
+/// The part of a document that normals, tangents and rotations depend on. The rest is skipped.
 #[derive(serde::Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Geometry {
@@ -60,6 +98,8 @@ pub(super) struct Geometry {
     buffer_views: Vec<json::buffer::View>,
     #[serde(default)]
     meshes: Vec<Primitives>,
+    #[serde(default)]
+    animations: Vec<Animation>,
     #[serde(default)]
     extensions_required: Vec<String>,
 }
@@ -103,13 +143,14 @@ impl From<Layout> for AccessorText {
 }
 
 impl Geometry {
-    /// A document without what normals and tangents do not depend on, so that an unknown extension of a material does not fail
-    /// the validation of a mesh that can be read; and its meshes.
-    pub(super) fn into_root(self) -> (json::Root, Vec<Primitives>) {
+    /// A document without what these do not depend on, so that an unknown extension of a material does not fail
+    /// the validation of a mesh that can be read; its meshes; and its animations.
+    pub(super) fn into_root(self) -> (json::Root, Vec<Primitives>, Vec<Animation>) {
         const APPEARANCE: [&str; 4] = ["KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_"];
         /// Attributes in integers, which are read here.
         const QUANTIZATION: &str = "KHR_mesh_quantization";
-        let Self { asset, accessors, buffers, buffer_views, meshes, mut extensions_required } = self;
+        let Self { asset, accessors, buffers, buffer_views, meshes, animations, mut extensions_required } =
+            self;
         // The validation has a message for each extension that it does not know.
         extensions_required.sort_unstable();
         extensions_required.dedup();
@@ -118,7 +159,7 @@ impl Geometry {
         let accessors = accessors.into_iter().map(|AccessorText(accessor)| accessor).collect();
         let root =
             json::Root { accessors, asset, buffers, buffer_views, extensions_required, ..Default::default() };
-        (root, meshes)
+        (root, meshes, animations)
     }
 }
 

@@ -24,11 +24,11 @@ use glam::Vec3;
 
 use super::format::without_mark;
 use super::{
-    Fan, Frames, Mesh, MeshError, Part, Positions, Reach, Sums, check_finite, list_of, parse_error, place,
-    reserve,
+    Fan, Frames, Mesh, MeshError, Part, Positions, Reach, Rotations, Sums, check_finite, list_of,
+    parse_error, place, reserve,
 };
 use buffers::Content;
-use document::{Geometry, Primitive, Primitives, check_not_compressed};
+use document::{Animation, Geometry, Primitive, Primitives, check_not_compressed};
 
 pub(super) const FORMAT: &str = "glTF";
 
@@ -107,6 +107,38 @@ pub(super) fn parse_frames(path: &Path, bytes: &[u8], reach: Reach) -> Result<Fr
         return Err(MeshError::NoTangents { path: path.into(), lacking: String::new() });
     }
     Ok(Frames { frames: all.elements, parts: all.parts })
+}
+
+/// Reads the rotations of all samplers of all animations, in the order of [`Rotations`].
+pub(super) fn parse_rotations(path: &Path, bytes: &[u8], reach: Reach) -> Result<Rotations, MeshError> {
+    let file = load(path, bytes, reach, &[])?;
+    let mut all = Rotations { rotations: Vec::new(), parts: Vec::new() };
+    let mut places: HashMap<u32, (usize, usize)> = HashMap::new();
+    for (animation, (sampler, output, is_cubic)) in file.rotations() {
+        let (first, count) = match places.entry(output) {
+            Entry::Occupied(place) => *place.get(),
+            Entry::Vacant(place) => {
+                let (first, accessor) = (all.rotations.len(), file.accessor(output)?);
+                file.check_vertices(first.saturating_add(accessor.count()))?;
+                reserve(path, &mut all.rotations, accessor.count())?;
+                let mut at = 0;
+                file.vectors_of(&accessor, false, Dimensions::Vec4, |rotation| {
+                    // A key of a cubic spline is a tangent, the value and another tangent.
+                    if !is_cubic || at % 3 == 1 {
+                        all.rotations.push(rotation);
+                    }
+                    at += 1;
+                })?;
+                *place.insert((first, all.rotations.len() - first))
+            }
+        };
+        let name = file.animations[animation].name.as_deref().map(short);
+        all.parts.push(Part { mesh: animation, name, primitive: sampler, first, count, computed: false });
+    }
+    match all.rotations.is_empty() {
+        true => Err(MeshError::NoRotations { path: path.into() }),
+        false => Ok(all),
+    }
 }
 
 /// The accessors that the elements of a primitive come from.
@@ -194,10 +226,10 @@ pub(super) fn load<'p>(
     if !version.starts_with("2.") {
         return Err(parse_error(path, FORMAT, format!("its version is {version}, and 2.0 is read")));
     }
-    let (root, meshes) = geometry.into_root();
+    let (root, meshes, animations) = geometry.into_root();
     check_not_compressed(path, &root.extensions_required)?;
     let document = Document::from_json(root).map_err(error)?;
-    let mut file = File { path, document, meshes, buffers: Vec::new(), size: bytes.len() };
+    let mut file = File { path, document, meshes, animations, buffers: Vec::new(), size: bytes.len() };
     let used = file.used_buffers(semantics)?;
     let mut root = file.document.into_json();
     let outside;
@@ -221,6 +253,7 @@ pub(super) struct File<'p> {
     pub(super) path: &'p Path,
     pub(super) document: Document,
     pub(super) meshes: Vec<Primitives>,
+    animations: Vec<Animation>,
     pub(super) buffers: Vec<Content<'p>>,
     /// Bytes of the document and these buffers.
     pub(super) size: usize,
@@ -232,6 +265,12 @@ impl File<'_> {
         self.meshes.iter().enumerate().flat_map(|(mesh, all)| {
             all.primitives.iter().enumerate().map(move |(at, primitive)| (mesh, at, primitive))
         })
+    }
+
+    /// The samplers of rotations, each with the place of its animation: see [`Animation::rotations`].
+    fn rotations(&self) -> impl Iterator<Item = (usize, (usize, u32, bool))> {
+        let animations = self.animations.iter().enumerate();
+        animations.flat_map(|(at, animation)| animation.rotations().map(move |sampler| (at, sampler)))
     }
 
     pub(super) fn accessor(&self, index: u32) -> Result<Accessor<'_>, MeshError> {
@@ -246,18 +285,29 @@ impl File<'_> {
         }
     }
 
-    /// The buffers that these attributes lie in and, where a primitive has no normals, its indices.
+    /// The buffers that these attributes lie in and, where a primitive has no normals, its indices; without attributes, those of
+    /// rotations.
     fn used_buffers(&self, semantics: &[Semantic]) -> Result<BTreeSet<usize>, MeshError> {
+        if semantics.is_empty() {
+            return self.buffers_of(self.rotations().map(|(_, (_, output, _))| output));
+        }
         let mut used = BTreeSet::new();
         for (.., primitive) in self.primitives() {
             let indices = primitive.indices.filter(|_| primitive.get(&Semantic::Normals).is_none());
-            for index in semantics.iter().filter_map(|semantic| primitive.get(semantic)).chain(indices) {
-                let accessor = self.accessor(index)?;
-                let sparse =
-                    accessor.sparse().map(|sparse| [sparse.indices().view(), sparse.values().view()]);
-                let views = accessor.view().into_iter().chain(sparse.into_iter().flatten());
-                used.extend(views.map(|view| view.buffer().index()));
-            }
+            let attributes = semantics.iter().filter_map(|semantic| primitive.get(semantic));
+            used.append(&mut self.buffers_of(attributes.chain(indices))?);
+        }
+        Ok(used)
+    }
+
+    /// The buffers that these accessors lie in.
+    fn buffers_of(&self, accessors: impl Iterator<Item = u32>) -> Result<BTreeSet<usize>, MeshError> {
+        let mut used = BTreeSet::new();
+        for index in accessors {
+            let accessor = self.accessor(index)?;
+            let sparse = accessor.sparse().map(|sparse| [sparse.indices().view(), sparse.values().view()]);
+            let views = accessor.view().into_iter().chain(sparse.into_iter().flatten());
+            used.extend(views.map(|view| view.buffer().index()));
         }
         Ok(used)
     }
@@ -367,7 +417,7 @@ impl File<'_> {
         primitive: &Primitive,
         semantic: &Semantic,
         dimensions: Dimensions,
-        mut each: impl FnMut([f32; N]),
+        each: impl FnMut([f32; N]),
     ) -> Result<(), MeshError>
     where
         [f32; N]: Item,
@@ -377,19 +427,36 @@ impl File<'_> {
         [u16; N]: Item,
     {
         let accessor = self.attribute(primitive, semantic)?;
-        self.check_extents(&accessor)?;
-        let is_position = *semantic == Semantic::Positions;
+        self.vectors_of(&accessor, *semantic == Semantic::Positions, dimensions, each)
+    }
+
+    /// Reads the vectors of an accessor, as [`vectors`](Self::vectors) does.
+    fn vectors_of<const N: usize>(
+        &self,
+        accessor: &Accessor<'_>,
+        is_position: bool,
+        dimensions: Dimensions,
+        mut each: impl FnMut([f32; N]),
+    ) -> Result<(), MeshError>
+    where
+        [f32; N]: Item,
+        [i8; N]: Item,
+        [u8; N]: Item,
+        [i16; N]: Item,
+        [u16; N]: Item,
+    {
+        self.check_extents(accessor)?;
         let each = &mut each;
         let read = match (accessor.data_type(), accessor.normalized()) {
             _ if accessor.dimensions() != dimensions => None,
-            (DataType::F32, _) => self.components(&accessor, each, |c: f32| c),
-            (DataType::I8, true) => self.components(&accessor, each, |c: i8| snorm(c, i8::MAX)),
-            (DataType::I16, true) => self.components(&accessor, each, |c: i16| snorm(c, i16::MAX)),
+            (DataType::F32, _) => self.components(accessor, each, |c: f32| c),
+            (DataType::I8, true) => self.components(accessor, each, |c: i8| snorm(c, i8::MAX)),
+            (DataType::I16, true) => self.components(accessor, each, |c: i16| snorm(c, i16::MAX)),
             // Only faces are made of positions, and their normals do not depend on the scale.
-            (DataType::I8, false) if is_position => self.components(&accessor, each, |c: i8| c.into()),
-            (DataType::I16, false) if is_position => self.components(&accessor, each, |c: i16| c.into()),
-            (DataType::U8, _) if is_position => self.components(&accessor, each, |c: u8| c.into()),
-            (DataType::U16, _) if is_position => self.components(&accessor, each, |c: u16| c.into()),
+            (DataType::I8, false) if is_position => self.components(accessor, each, |c: i8| c.into()),
+            (DataType::I16, false) if is_position => self.components(accessor, each, |c: i16| c.into()),
+            (DataType::U8, _) if is_position => self.components(accessor, each, |c: u8| c.into()),
+            (DataType::U16, _) if is_position => self.components(accessor, each, |c: u16| c.into()),
             _ => None,
         };
         read.ok_or_else(|| {

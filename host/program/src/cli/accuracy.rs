@@ -4,7 +4,7 @@ use super::{OpenBackend, Vulkan, counts, degrees, number, write_chart};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use std::process::ExitCode;
-use unitvec_catalogue::{AnyCodec, Domain, frames};
+use unitvec_catalogue::{AnyCodec, Domain, frames, rotations};
 use unitvec_host::Result;
 use unitvec_lab::accuracy;
 use unitvec_lab::accuracy::meyer::{METHODS, Method, WIDTHS};
@@ -62,12 +62,16 @@ enum Job {
     Meyer(&'static Method, &'static AnyCodec),
     Beyond(&'static AnyCodec),
     Frame(&'static AnyCodec),
+    Rotation(&'static AnyCodec),
 }
 
 impl Job {
     fn codec(&self) -> &'static AnyCodec {
-        let (Self::Published(_, _, codec) | Self::Meyer(_, codec) | Self::Beyond(codec) | Self::Frame(codec)) =
-            self;
+        let (Self::Published(_, _, codec)
+        | Self::Meyer(_, codec)
+        | Self::Beyond(codec)
+        | Self::Frame(codec)
+        | Self::Rotation(codec)) = self;
         codec
     }
 
@@ -90,6 +94,7 @@ impl Job {
             }
             Self::Beyond(_) => with_float64(beyond::measure_row(backend, codec, count, seed)?, codec.domain),
             Self::Frame(_) => beyond::measure_frame(backend, codec, count, seed)?.into(),
+            Self::Rotation(_) => vec![beyond::measure_rotation(backend, codec, count, seed)?],
         })
     }
 }
@@ -115,6 +120,7 @@ impl TableName {
         }
         if is_wanted(Self::Beyond) {
             jobs.extend(beyond::codecs().map(Job::Beyond).chain(frames().iter().map(Job::Frame)));
+            jobs.extend(rotations().iter().map(Job::Rotation));
         }
         (jobs, missing)
     }

@@ -26,11 +26,14 @@ pub struct Arguments {
     /// Codecs of tangent frames instead of vectors. Of the errors of normal and tangent the greater counts.
     #[arg(long)]
     frames: bool,
+    /// Codecs of rotations, unit quaternions, instead of vectors. Errors are angles of rotation.
+    #[arg(long, conflicts_with = "frames")]
+    rotations: bool,
     /// Leave out encoders that read a table.
     #[arg(long)]
     no_table: bool,
     /// Directions with z >= 0 only, as in tangent-space normal maps: that saves a bit.
-    #[arg(long, conflicts_with = "frames")]
+    #[arg(long, conflicts_with_all = ["frames", "rotations"])]
     hemisphere: bool,
     /// Weights of encoding and of decoding in the cost: 0,1 for what is encoded once and decoded often.
     #[arg(long, value_name = "E,D", allow_hyphen_values = true, default_value = "1,1", value_parser = weights)]
@@ -68,7 +71,11 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         None => Costs::shipped(&arguments.gpu)?,
     };
     let demand = Demand {
-        element: if arguments.frames { Element::Frame } else { Element::Vector },
+        element: match (arguments.frames, arguments.rotations) {
+            (true, _) => Element::Frame,
+            (_, true) => Element::Rotation,
+            _ => Element::Vector,
+        },
         max_error_deg: arguments.max_error,
         mean_error_deg: arguments.mean_error,
         bits: arguments.bits,

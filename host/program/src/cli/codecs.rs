@@ -3,7 +3,7 @@ use super::table::{self, Layout, left, right};
 use clap::Args;
 use std::process::ExitCode;
 use unitvec::interop::{FRAMES, ROWS};
-use unitvec_catalogue::{CODECS, Domain, frames, vectors};
+use unitvec_catalogue::{CODECS, Domain, frames, rotations, vectors};
 use unitvec_host::Result;
 
 #[derive(Args)]
@@ -52,6 +52,17 @@ fn tables(columns: Option<usize>) -> String {
         ],
         columns,
     );
+    let of_rotations = Layout::new(
+        vec![
+            left("codec of rotations", 20),
+            right("bits", 4),
+            right("bytes", 5),
+            right("bound (deg)", 22).apart(),
+            left("Vulkan format", 35).apart().rank(1),
+            left("GLSL", 19).rank(2),
+        ],
+        columns,
+    );
     let mut text = of_vectors.heading();
     for codec in vectors() {
         let domain = match codec.domain {
@@ -85,11 +96,23 @@ fn tables(columns: Option<usize>) -> String {
             &codec.glsl_file(),
         ]);
     }
+    text.push('\n');
+    text += &of_rotations.heading();
+    for codec in rotations() {
+        text += &of_rotations.line(&[
+            &codec.id,
+            &codec.bits,
+            &codec.bytes,
+            &format_args!("{:.7}", codec.max_error_deg()),
+            &codec.vk_format.unwrap_or("-"),
+            &codec.glsl_file(),
+        ]);
+    }
     let names =
         ROWS.iter().map(ToString::to_string).chain(FRAMES.iter().map(|format| format.name.to_owned()));
     let names = names.collect::<Vec<_>>().join(", ");
     let words = format!("\nformats of other software, for encode, decode, error and snap: {names}\n");
     // A list has no columns to show: lines of a length that is easy to read, on any terminal.
     let wrapped = table::wrapped(&words, "    ", Some(columns.map_or(100, |columns| columns.min(100))));
-    text + &wrapped + &table::left_out(&[&of_vectors, &of_frames])
+    text + &wrapped + &table::left_out(&[&of_vectors, &of_frames, &of_rotations])
 }

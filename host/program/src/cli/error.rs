@@ -225,11 +225,10 @@ fn file(row: &Row, columns: Option<usize>) -> String {
 
 /// The worst vector's place and components, with its file where the row is of all.
 fn worst(row: &Row) -> String {
-    let Some(Worst { file, index, original: [x, y, z], .. }) =
-        row.errors.as_ref().map(|errors| &errors.worst)
-    else {
+    let Some(Worst { file, index, original, .. }) = row.errors.as_ref().map(|errors| &errors.worst) else {
         return "-".to_owned();
     };
     let file = if row.file.is_none() { format!("{file} ") } else { String::new() };
-    format!("{file}{index}: ({x:?}, {y:?}, {z:?})")
+    let components: Vec<String> = original.iter().map(|component| format!("{component:?}")).collect();
+    format!("{file}{index}: ({})", components.join(", "))
 }

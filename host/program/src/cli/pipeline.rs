@@ -6,6 +6,7 @@ use super::run::{Live, PERCENT, Screen};
 use super::table::{Column, left, right};
 use clap::Args;
 use std::process::ExitCode;
+use unitvec_catalogue::{Element, directions};
 use unitvec_host::{Error, Result};
 use unitvec_render::conform;
 use unitvec_render::conform::{Options, Projected, Report, Row, Traits};
@@ -31,7 +32,15 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         return Err(Error::Usage(format!("--count of `pipeline` is at most {MAX_COUNT}, not {count}")));
     }
     let options = Options { count: count as usize, seed: *seed };
-    let formats = arguments.inputs.formats()?;
+    let formats = match run.codec.is_empty() {
+        true => directions().iter().collect(),
+        false => arguments.inputs.formats()?,
+    };
+    if let Some(format) = formats.iter().find(|format| format.element == Element::Rotation) {
+        let words =
+            format!("{} stores rotations, of which nothing is drawn; choose a codec of normals", format.id);
+        return Err(Error::Usage(words));
+    }
     // A choice of codecs leaves projections out.
     let pairs = if run.codec.is_empty() { conform::pairs() } else { Vec::new() };
     let live = Live::new(Some((formats.len() + pairs.len()) as u64), PERCENT, run.json.is_to_stdout());

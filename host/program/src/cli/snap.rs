@@ -33,6 +33,10 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let codec = find_any(&arguments.codec)?;
+    if codec.element == Element::Rotation {
+        let words = format!("{} stores rotations, and `snap` moves normals and tangents", codec.id);
+        return Err(Error::Usage(words));
+    }
     let pairs = pairs(&arguments.meshes.r#in, &arguments.out, is_mesh, None)?;
     for (input, out) in &pairs {
         check_ending(input, out)?;
@@ -76,7 +80,7 @@ fn one(codec: &'static AnyCodec, input: &Path, out: &Path, reach: Reach) -> Resu
     let mut tallies = Tallies { codec, all: BTreeMap::new(), below: 0 };
     let edited = Input::open(input)?.parse(
         |path, format, bytes, reach| match codec.element {
-            Element::Vector => {
+            Element::Vector | Element::Rotation => {
                 let mut change = |mesh, part, vectors: &mut [_]| tallies.snap(mesh, &[part], vectors);
                 edit(path, format, bytes, reach, Change::Vectors(&mut change))
             }

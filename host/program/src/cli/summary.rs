@@ -282,6 +282,7 @@ impl Summary {
     fn stored(&self, count: u64, first: Option<u64>) -> String {
         let (some, written, rest) = match (self.filled, self.stored_as_null) {
             (Some(filled), _) => (filled, "written as +Z", "as in the file"),
+            (None, _) if self.element == Element::Rotation => (0, "", "stored as the identity"),
             (None, nulls) => (nulls.unwrap_or(0), "stored as null", "stored as +Z"),
         };
         let what = match some {

@@ -4,7 +4,7 @@ use crate::Result;
 use minijinja::{Value, context};
 use serde::Serialize;
 use unitvec_catalogue::{
-    AnyCodec, CODECS, Choice, Domain, Element, Operation, RECOMMENDED, Recommendation, find, vectors,
+    AnyCodec, Choice, Domain, Element, Operation, RECOMMENDED, Recommendation, directions, find, vectors,
 };
 use unitvec_choose::costs::{GENERATIONS, USUAL};
 use unitvec_choose::{Costs, REFERENCE, degrees, measured};
@@ -89,7 +89,7 @@ pub fn codecs(all: &[Costs]) -> Vec<Codec> {
             costs: all.iter().map(|costs| both(costs, codec.id)).collect(),
         })
     };
-    let mut codecs: Vec<Codec> = CODECS.iter().filter_map(of_codec).collect();
+    let mut codecs: Vec<Codec> = directions().iter().filter_map(of_codec).collect();
     let cost = |codec: &Codec| codec.costs[0][0].zip(codec.costs[0][1]).map_or(f64::INFINITY, |(a, b)| a + b);
     codecs.sort_by(|a, b| {
         a.bytes.cmp(&b.bytes).then(cost(a).total_cmp(&cost(b))).then(a.mean.total_cmp(&b.mean))

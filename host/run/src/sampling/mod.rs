@@ -8,23 +8,26 @@ use rand_pcg::Pcg64Mcg;
 use std::sync::LazyLock;
 use unitvec_catalogue::{Domain, Element};
 
-pub use special::{special_frames, special_vectors};
+pub use special::{special_frames, special_rotations, special_vectors};
 
-/// The floats of random vectors of the domain, or of random frames, without end.
+/// The floats of random vectors of the domain, of random frames or rotations, without end.
 pub fn random_elements(element: Element, domain: Domain, seed: u64) -> Box<dyn Iterator<Item = f32> + Send> {
     match element {
         Element::Vector => Box::new(random_directions(domain, seed).flatten()),
         Element::Frame => Box::new(random_frames(seed).flatten()),
+        Element::Rotation => Box::new(random_rotations(seed).flatten()),
     }
 }
 
-/// The floats of [`special_vectors`], or of [`special_frames`].
+/// The floats of [`special_vectors`], [`special_frames`] or [`special_rotations`].
 pub fn special_elements(element: Element) -> &'static [f32] {
     static VECTORS: LazyLock<Vec<[f32; 3]>> = LazyLock::new(special_vectors);
     static FRAMES: LazyLock<Vec<[f32; 7]>> = LazyLock::new(special_frames);
+    static ROTATIONS: LazyLock<Vec<[f32; 4]>> = LazyLock::new(special_rotations);
     match element {
         Element::Vector => VECTORS.as_flattened(),
         Element::Frame => FRAMES.as_flattened(),
+        Element::Rotation => ROTATIONS.as_flattened(),
     }
 }
 
@@ -57,6 +60,21 @@ pub fn random_frames(seed: u64) -> impl Iterator<Item = [f32; 7]> {
         let tangent = unit(cos * first + sin * n.cross(first)).as_vec3();
         let handedness = if random.random() { 1.0 } else { -1.0 };
         [normal[0], normal[1], normal[2], tangent.x, tangent.y, tangent.z, handedness]
+    })
+}
+
+/// Rotations without end, uniform (Shoemake 1992, "Uniform Random Rotations": two circles whose radii have uniform squares),
+/// as quaternions x, y, z, w, rounded to f32.
+pub fn random_rotations(seed: u64) -> impl Iterator<Item = [f32; 4]> {
+    let mut random = Pcg64Mcg::seed_from_u64(seed ^ 2);
+    std::iter::repeat_with(move || {
+        let part = random.random_range(0.0..=1.0f64);
+        let mut on_circle = |square: f64| {
+            let (sin, cos) = random.random_range(0.0..std::f64::consts::TAU).sin_cos();
+            [square.sqrt() * sin, square.sqrt() * cos]
+        };
+        let ([x, y], [z, w]) = (on_circle(part), on_circle(1.0 - part));
+        [x, y, z, w].map(|c| c as f32)
     })
 }
 

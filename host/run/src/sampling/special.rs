@@ -15,6 +15,12 @@ pub fn special_frames() -> Vec<[f32; 7]> {
     vectors.flat_map(|[x, y, z]| [[x, y, z, y, z, x, z], [0.25, -0.5, 1.0, x, y, z, x]]).collect()
 }
 
+/// Rotations of [`special_vectors`]: with a w of 0, 1 and one of their own components.
+pub fn special_rotations() -> Vec<[f32; 4]> {
+    let vectors = special_vectors().into_iter();
+    vectors.flat_map(|[x, y, z]| [[x, y, z, 0.0], [x, y, z, 1.0], [z, x, y, x]]).collect()
+}
+
 /// Magnitudes that are odd in one way or another: zero, denormals, the ends of the range of usable norms, infinity, and
 /// components of axes, octant corners and diagonals.
 const MAGNITUDES: [f32; 18] = [

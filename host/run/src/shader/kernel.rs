@@ -75,7 +75,7 @@ pub fn kernel(language: Language, format: &AnyCodec, operation: Operation) -> St
 /// The statements that encode an element, and the words of its code.
 fn encode(syntax: &Syntax, format: &AnyCodec, inputs: &[String]) -> (Vec<String>, Vec<String>) {
     let arguments = match format.element {
-        Element::Vector => syntax.floats(inputs),
+        Element::Vector | Element::Rotation => syntax.floats(inputs),
         Element::Frame => [&inputs[..3], &inputs[3..]].map(|words| syntax.floats(words)).join(", "),
     };
     let words = code_words(format);
@@ -91,15 +91,19 @@ fn decode(syntax: &Syntax, format: &AnyCodec, inputs: &[String]) -> (Vec<String>
         if inputs.len() == 1 { inputs[0].clone() } else { format!("{code_type}({})", inputs.join(", ")) };
     let mut statements = vec![syntax.define(code_type, "code", &code)];
     let function = format.function(Operation::Decode);
-    let [vector, tangent] = syntax.vectors;
+    let [vector, four] = syntax.vectors;
     let floats = match format.element {
         Element::Vector => {
             statements.push(syntax.define(vector, "v", &format!("{function}(code)")));
             components("v", 3)
         }
+        Element::Rotation => {
+            statements.push(syntax.define(four, "q", &format!("{function}(code)")));
+            components("q", 4)
+        }
         Element::Frame => {
             statements.push(syntax.declare(vector, "normal"));
-            statements.push(syntax.declare(tangent, "tangent"));
+            statements.push(syntax.declare(four, "tangent"));
             let reference = syntax.reference;
             statements.push(format!("{function}(code, {reference}normal, {reference}tangent);"));
             [components("normal", 3), components("tangent", 4)].concat()
