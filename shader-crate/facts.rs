@@ -141,7 +141,7 @@ macro_rules! facts {
     (quat24) => { "24 bits in 3 bytes, rotation at most 0.770° off" };
     (quat32) => { "32 bits in 4 bytes, rotation at most 0.119° off; VK_FORMAT_R32_UINT" };
     (quat48) => { "48 bits in 6 bytes, rotation at most 0.00296° off" };
-    (quat64) => { "64 bits in 8 bytes, rotation at most 7.60e-5° off; VK_FORMAT_R32G32_UINT" };
+    (quat64) => { "64 bits in 8 bytes, rotation at most 8.80e-5° off; VK_FORMAT_R32G32_UINT" };
     (frame32) => { "32 bits in 4 bytes, normal at most 0.0792° off, tangent at most 0.363° off; VK_FORMAT_R32_UINT" };
     (frame64) => { "64 bits in 8 bytes, normal at most 8.41e-5° off, tangent at most 1.30e-4° off; VK_FORMAT_R32G32_UINT" };
     ($new:ident) => { "a new codec" };

@@ -42,6 +42,7 @@ mod oct;
 mod oct_wide;
 mod parallel;
 mod porting;
+mod quat;
 mod recommended;
 #[cfg(feature = "glsl")]
 mod render;

@@ -115,6 +115,14 @@ float unitvec_exact_root(float x, float inverse) {
     uint found = near + (left > int(near) ? 1u : 0u);
     return uintBitsToFloat(exponent + found - UNITVEC_EXACT_HIDDEN);
 }
+float unitvec_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_quotient(a, b);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
 float unitvec_over(float m, float b) {
 #ifdef UNITVEC_EXACT
     UNITVEC_PRECISE float inverse = 1.0 / b;
@@ -181,17 +189,6 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 #endif
-#ifndef UNITVEC_HAS_QUOTIENT
-#define UNITVEC_HAS_QUOTIENT
-float unitvec_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    return unitvec_exact_quotient(a, b);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
-}
-#endif
 #ifndef UNITVEC_HAS_NEGATE_POSITIVE
 #define UNITVEC_HAS_NEGATE_POSITIVE
 float unitvec_negate_positive(bool negative, float x) {
@@ -235,12 +232,6 @@ vec2 unitvec_unbiased(vec2 e) {
     return on_snorm;
 }
 #endif
-#ifndef UNITVEC_HAS_OR_Z
-#define UNITVEC_HAS_OR_Z
-vec3 unitvec_or_z(vec3 v) {
-    return unitvec_is_usable(unitvec_l1_norm(v)) ? v : vec3(0.0, 0.0, 1.0);
-}
-#endif
 #ifndef UNITVEC_HAS_SIGNED_QUOTIENT
 #define UNITVEC_HAS_SIGNED_QUOTIENT
 float unitvec_signed_quotient(float a, float b) {
@@ -251,6 +242,12 @@ float unitvec_signed_quotient(float a, float b) {
     UNITVEC_PRECISE float quotient = a / b;
     return quotient;
 #endif
+}
+#endif
+#ifndef UNITVEC_HAS_OR_Z
+#define UNITVEC_HAS_OR_Z
+vec3 unitvec_or_z(vec3 v) {
+    return unitvec_is_usable(unitvec_l1_norm(v)) ? v : vec3(0.0, 0.0, 1.0);
 }
 #endif
 #ifndef UNITVEC_HAS_SIN_0

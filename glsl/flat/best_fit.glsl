@@ -118,6 +118,14 @@ float unitvec_exact_root(float x, float inverse) {
     uint found = near + (left > int(near) ? 1u : 0u);
     return uintBitsToFloat(exponent + found - UNITVEC_EXACT_HIDDEN);
 }
+float unitvec_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_quotient(a, b);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
 float unitvec_over(float m, float b) {
 #ifdef UNITVEC_EXACT
     UNITVEC_PRECISE float inverse = 1.0 / b;
@@ -188,17 +196,6 @@ float unitvec_snorm_part(float x, uint bits) {
 #define UNITVEC_HAS_ONE_AND_A_HALF_2_23
 const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 #endif
-#ifndef UNITVEC_HAS_QUOTIENT
-#define UNITVEC_HAS_QUOTIENT
-float unitvec_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    return unitvec_exact_quotient(a, b);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
-}
-#endif
 #ifndef UNITVEC_HAS_ROOT
 #define UNITVEC_HAS_ROOT
 float unitvec_root(float x) {
@@ -221,16 +218,16 @@ float unitvec_snorm_quotient(float x, uint bits) {
 #endif
 }
 #endif
-#ifndef UNITVEC_HAS_OR_Z
-#define UNITVEC_HAS_OR_Z
-vec3 unitvec_or_z(vec3 v) {
-    return unitvec_is_usable(unitvec_l1_norm(v)) ? v : vec3(0.0, 0.0, 1.0);
-}
-#endif
 #ifndef UNITVEC_HAS_WHOLE_TO_U32
 #define UNITVEC_HAS_WHOLE_TO_U32
 uint unitvec_whole_to_u32(float whole) {
     return uint(int(whole));
+}
+#endif
+#ifndef UNITVEC_HAS_OR_Z
+#define UNITVEC_HAS_OR_Z
+vec3 unitvec_or_z(vec3 v) {
+    return unitvec_is_usable(unitvec_l1_norm(v)) ? v : vec3(0.0, 0.0, 1.0);
 }
 #endif
 #ifndef UNITVEC_HAS_SNORM_QUOTIENTS

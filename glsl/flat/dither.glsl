@@ -112,6 +112,14 @@ float unitvec_exact_root(float x, float inverse) {
     uint found = near + (left > int(near) ? 1u : 0u);
     return uintBitsToFloat(exponent + found - UNITVEC_EXACT_HIDDEN);
 }
+float unitvec_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_quotient(a, b);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
 float unitvec_over(float m, float b) {
 #ifdef UNITVEC_EXACT
     UNITVEC_PRECISE float inverse = 1.0 / b;
@@ -167,15 +175,10 @@ bool unitvec_is_usable(float l1_norm) {
 #define UNITVEC_HAS_ONE_AND_A_HALF_2_23
 const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 #endif
-#ifndef UNITVEC_HAS_QUOTIENT
-#define UNITVEC_HAS_QUOTIENT
-float unitvec_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    return unitvec_exact_quotient(a, b);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
+#ifndef UNITVEC_HAS_SCALE_TO_ONE
+#define UNITVEC_HAS_SCALE_TO_ONE
+float unitvec_scale_to_one(float l1_norm) {
+    return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
 }
 #endif
 #ifndef UNITVEC_HAS_NEGATE_POSITIVE
@@ -189,12 +192,6 @@ float unitvec_negate_positive(bool negative, float x) {
 uint unitvec_nearest_code(float x, uint bits) {
     UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
     return floatBitsToUint(sum) & unitvec_mask(bits);
-}
-#endif
-#ifndef UNITVEC_HAS_SCALE_TO_ONE
-#define UNITVEC_HAS_SCALE_TO_ONE
-float unitvec_scale_to_one(float l1_norm) {
-    return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
 }
 #endif
 #ifndef UNITVEC_HAS_ROOT
@@ -220,6 +217,12 @@ float unitvec_with_sign(float magnitude, float y) {
     return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
 }
 #endif
+#ifndef UNITVEC_HAS_FLIP_SIGN
+#define UNITVEC_HAS_FLIP_SIGN
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
+}
+#endif
 #ifndef UNITVEC_HAS_NORMALIZE
 #define UNITVEC_HAS_NORMALIZE
 vec3 unitvec_normalize(vec3 v) {
@@ -227,15 +230,21 @@ vec3 unitvec_normalize(vec3 v) {
     return n;
 }
 #endif
-#ifndef UNITVEC_HAS_FLIP_SIGN
-#define UNITVEC_HAS_FLIP_SIGN
-float unitvec_flip_sign(float x, uint sign_bit) {
-    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
-}
-#endif
 #ifndef UNITVEC_HAS_2_23
 #define UNITVEC_HAS_2_23
 const float UNITVEC_2_23 = 8388608.0;
+#endif
+#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
+#define UNITVEC_HAS_SIGNED_QUOTIENT
+float unitvec_signed_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
+    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
 #endif
 #ifndef UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
 #define UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
@@ -282,18 +291,6 @@ vec2 unitvec_snorm_integers(uint code, uint bits) {
     return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
 }
 #endif
-#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
-#define UNITVEC_HAS_SIGNED_QUOTIENT
-float unitvec_signed_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
-    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
-}
-#endif
 #ifndef UNITVEC_HAS_TURN_0
 #define UNITVEC_HAS_TURN_0
 const float UNITVEC_TURN_0 = 0.6366193;
@@ -325,6 +322,15 @@ const float UNITVEC_COS_2 = -1.3347237;
 const float UNITVEC_COS_3 = 0.22859502;
 const float UNITVEC_PI = 3.1415927;
 #endif
+#ifndef UNITVEC_HAS_WITHOUT_DENORMAL
+#define UNITVEC_HAS_WITHOUT_DENORMAL
+float unitvec_without_denormal(float x) {
+    return abs(x) < UNITVEC_MIN_POSITIVE ? 0.0 : x;
+}
+vec3 unitvec_without_denormals(vec3 v) {
+    return vec3(unitvec_without_denormal(v.x), unitvec_without_denormal(v.y), unitvec_without_denormal(v.z));
+}
+#endif
 #ifndef UNITVEC_HAS_OCT_BIAS
 #define UNITVEC_HAS_OCT_BIAS
 const float UNITVEC_OCT_BIAS = 8390655.0;
@@ -353,14 +359,8 @@ float unitvec_cos_eighth(float r) {
     return cosine;
 }
 #endif
-#ifndef UNITVEC_HAS_WITHOUT_DENORMAL
-#define UNITVEC_HAS_WITHOUT_DENORMAL
-float unitvec_without_denormal(float x) {
-    return abs(x) < UNITVEC_MIN_POSITIVE ? 0.0 : x;
-}
-vec3 unitvec_without_denormals(vec3 v) {
-    return vec3(unitvec_without_denormal(v.x), unitvec_without_denormal(v.y), unitvec_without_denormal(v.z));
-}
+#ifndef UNITVEC_HAS_SCALED_TO_ONE
+#define UNITVEC_HAS_SCALED_TO_ONE
 vec3 unitvec_scaled_to_one(vec3 v, float l1_norm) {
     UNITVEC_PRECISE vec3 scaled = unitvec_without_denormals(v) * unitvec_scale_to_one(l1_norm);
     return scaled;

@@ -113,6 +113,14 @@ float unitvec_exact_root(float x, float inverse) {
     uint found = near + (left > int(near) ? 1u : 0u);
     return uintBitsToFloat(exponent + found - UNITVEC_EXACT_HIDDEN);
 }
+float unitvec_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_quotient(a, b);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
 float unitvec_over(float m, float b) {
 #ifdef UNITVEC_EXACT
     UNITVEC_PRECISE float inverse = 1.0 / b;
@@ -183,15 +191,10 @@ float unitvec_snorm_part(float x, uint bits) {
 #define UNITVEC_HAS_ONE_AND_A_HALF_2_23
 const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 #endif
-#ifndef UNITVEC_HAS_QUOTIENT
-#define UNITVEC_HAS_QUOTIENT
-float unitvec_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    return unitvec_exact_quotient(a, b);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
+#ifndef UNITVEC_HAS_SCALE_TO_ONE
+#define UNITVEC_HAS_SCALE_TO_ONE
+float unitvec_scale_to_one(float l1_norm) {
+    return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
 }
 #endif
 #ifndef UNITVEC_HAS_NEGATE_POSITIVE
@@ -205,12 +208,6 @@ float unitvec_negate_positive(bool negative, float x) {
 uint unitvec_nearest_code(float x, uint bits) {
     UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
     return floatBitsToUint(sum) & unitvec_mask(bits);
-}
-#endif
-#ifndef UNITVEC_HAS_SCALE_TO_ONE
-#define UNITVEC_HAS_SCALE_TO_ONE
-float unitvec_scale_to_one(float l1_norm) {
-    return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
 }
 #endif
 #ifndef UNITVEC_HAS_ROOT
@@ -236,6 +233,12 @@ float unitvec_with_sign(float magnitude, float y) {
     return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
 }
 #endif
+#ifndef UNITVEC_HAS_FLIP_SIGN
+#define UNITVEC_HAS_FLIP_SIGN
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
+}
+#endif
 #ifndef UNITVEC_HAS_SNORM_QUOTIENT
 #define UNITVEC_HAS_SNORM_QUOTIENT
 float unitvec_snorm_quotient(float x, uint bits) {
@@ -245,12 +248,6 @@ float unitvec_snorm_quotient(float x, uint bits) {
     UNITVEC_PRECISE float quotient = x / unitvec_snorm_max(bits);
     return quotient;
 #endif
-}
-#endif
-#ifndef UNITVEC_HAS_FLIP_SIGN
-#define UNITVEC_HAS_FLIP_SIGN
-float unitvec_flip_sign(float x, uint sign_bit) {
-    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
 #ifndef UNITVEC_HAS_SNORM_CLAMP
@@ -271,15 +268,6 @@ vec2 unitvec_unbiased(vec2 e) {
 #define UNITVEC_HAS_2_23
 const float UNITVEC_2_23 = 8388608.0;
 #endif
-#ifndef UNITVEC_HAS_NEAREST_PAIR
-#define UNITVEC_HAS_NEAREST_PAIR
-uint unitvec_nearest_pair(vec2 e, uint bits) {
-    return unitvec_nearest_code(e.x, bits) | (unitvec_nearest_code(e.y, bits) << bits);
-}
-vec2 unitvec_snorm_integers(uint code, uint bits) {
-    return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
-}
-#endif
 #ifndef UNITVEC_HAS_SIGNED_QUOTIENT
 #define UNITVEC_HAS_SIGNED_QUOTIENT
 float unitvec_signed_quotient(float a, float b) {
@@ -290,6 +278,15 @@ float unitvec_signed_quotient(float a, float b) {
     UNITVEC_PRECISE float quotient = a / b;
     return quotient;
 #endif
+}
+#endif
+#ifndef UNITVEC_HAS_NEAREST_PAIR
+#define UNITVEC_HAS_NEAREST_PAIR
+uint unitvec_nearest_pair(vec2 e, uint bits) {
+    return unitvec_nearest_code(e.x, bits) | (unitvec_nearest_code(e.y, bits) << bits);
+}
+vec2 unitvec_snorm_integers(uint code, uint bits) {
+    return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
 }
 #endif
 #ifndef UNITVEC_HAS_TURN_0

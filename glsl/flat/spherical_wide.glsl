@@ -108,6 +108,14 @@ float unitvec_exact_root(float x, float inverse) {
     uint found = near + (left > int(near) ? 1u : 0u);
     return uintBitsToFloat(exponent + found - UNITVEC_EXACT_HIDDEN);
 }
+float unitvec_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_quotient(a, b);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
 float unitvec_over(float m, float b) {
 #ifdef UNITVEC_EXACT
     UNITVEC_PRECISE float inverse = 1.0 / b;
@@ -159,27 +167,16 @@ bool unitvec_is_usable(float l1_norm) {
     return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
 }
 #endif
-#ifndef UNITVEC_HAS_QUOTIENT
-#define UNITVEC_HAS_QUOTIENT
-float unitvec_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    return unitvec_exact_quotient(a, b);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
+#ifndef UNITVEC_HAS_SCALE_TO_ONE
+#define UNITVEC_HAS_SCALE_TO_ONE
+float unitvec_scale_to_one(float l1_norm) {
+    return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
 }
 #endif
 #ifndef UNITVEC_HAS_NEGATE_POSITIVE
 #define UNITVEC_HAS_NEGATE_POSITIVE
 float unitvec_negate_positive(bool negative, float x) {
     return unitvec_negate_if(negative && x > 0.0, x);
-}
-#endif
-#ifndef UNITVEC_HAS_SCALE_TO_ONE
-#define UNITVEC_HAS_SCALE_TO_ONE
-float unitvec_scale_to_one(float l1_norm) {
-    return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
 }
 #endif
 #ifndef UNITVEC_HAS_ROOT
@@ -199,12 +196,6 @@ float unitvec_flip_sign(float x, uint sign_bit) {
     return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
-#ifndef UNITVEC_HAS_OR_Z
-#define UNITVEC_HAS_OR_Z
-vec3 unitvec_or_z(vec3 v) {
-    return unitvec_is_usable(unitvec_l1_norm(v)) ? v : vec3(0.0, 0.0, 1.0);
-}
-#endif
 #ifndef UNITVEC_HAS_SIGNED_QUOTIENT
 #define UNITVEC_HAS_SIGNED_QUOTIENT
 float unitvec_signed_quotient(float a, float b) {
@@ -215,6 +206,12 @@ float unitvec_signed_quotient(float a, float b) {
     UNITVEC_PRECISE float quotient = a / b;
     return quotient;
 #endif
+}
+#endif
+#ifndef UNITVEC_HAS_OR_Z
+#define UNITVEC_HAS_OR_Z
+vec3 unitvec_or_z(vec3 v) {
+    return unitvec_is_usable(unitvec_l1_norm(v)) ? v : vec3(0.0, 0.0, 1.0);
 }
 #endif
 #ifndef UNITVEC_HAS_SIN_0
@@ -237,6 +234,9 @@ float unitvec_without_denormal(float x) {
 vec3 unitvec_without_denormals(vec3 v) {
     return vec3(unitvec_without_denormal(v.x), unitvec_without_denormal(v.y), unitvec_without_denormal(v.z));
 }
+#endif
+#ifndef UNITVEC_HAS_SCALED_TO_ONE
+#define UNITVEC_HAS_SCALED_TO_ONE
 vec3 unitvec_scaled_to_one(vec3 v, float l1_norm) {
     UNITVEC_PRECISE vec3 scaled = unitvec_without_denormals(v) * unitvec_scale_to_one(l1_norm);
     return scaled;

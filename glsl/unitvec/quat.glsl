@@ -147,10 +147,9 @@ uvec2 unitvec_quat_place(uvec2 code, uint field, uint at) {
 
 // The field of `bits` bits from bit `at` on.
 uint unitvec_quat_field(uvec2 code, uint at, uint bits) {
-    uint word = code.x;
-    if (at >= 32u) word = code.y >> (at - 32u);
-    else if (at != 0u) word = (code.x >> at) | (code.y << (32u - at));
-    return word & unitvec_mask(bits);
+    if (at >= 32u) return (code.y >> (at - 32u)) & unitvec_mask(bits);
+    uint high = at == 0u ? 0u : code.y << (32u - at);
+    return ((code.x >> at) | high) & unitvec_mask(bits);
 }
 
 uvec2 unitvec_quat_encode(vec4 q, uint bits) {
@@ -159,15 +158,15 @@ uvec2 unitvec_quat_encode(vec4 q, uint bits) {
     vec4 turned = unitvec_quat_turn(q, chart);
     float scale = unitvec_negate_if(unitvec_is_negative(turned.x), unitvec_reciprocal(abs(turned.x)));
     UNITVEC_PRECISE vec3 x = turned.yzw * scale;
-    uvec4 point = unitvec_quat_nearest(x, bits);
+    uvec4 nearest = unitvec_quat_nearest(x, bits);
 
     uint low = unitvec_quat_layout(bits).x;
     uint radix = unitvec_quat_layout(bits).y;
-    uint above_c = (point.z >> low) + radix * (2u * chart + point.w);
-    uint above = (point.x >> low) + radix * ((point.y >> low) + radix * above_c);
-    uvec2 code = unitvec_quat_place(uvec2(0u, 0u), point.x & unitvec_mask(low), 0u);
-    code = unitvec_quat_place(code, point.y & unitvec_mask(low), low);
-    code = unitvec_quat_place(code, point.z & unitvec_mask(low), 2u * low);
+    uint above_c = (nearest.z >> low) + radix * (2u * chart + nearest.w);
+    uint above = (nearest.x >> low) + radix * ((nearest.y >> low) + radix * above_c);
+    uvec2 code = unitvec_quat_place(uvec2(0u, 0u), nearest.x & unitvec_mask(low), 0u);
+    code = unitvec_quat_place(code, nearest.y & unitvec_mask(low), low);
+    code = unitvec_quat_place(code, nearest.z & unitvec_mask(low), 2u * low);
     return unitvec_quat_place(code, above, 3u * low);
 }
 

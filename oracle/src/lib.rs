@@ -16,6 +16,7 @@ pub mod ico;
 pub mod latlong;
 pub mod oct;
 pub mod parallel;
+pub mod quat;
 pub mod raw;
 pub mod reference;
 pub mod soct;

@@ -26,6 +26,7 @@
 #include "cube.hlsl"
 #include "parallel.hlsl"
 #include "frame.hlsl"
+#include "quat.hlsl"
 #include "formats.hlsl"
 #include "or_null.hlsl"
 #include "dither.hlsl"

@@ -26,6 +26,7 @@
 #include "cube.metal"
 #include "parallel.metal"
 #include "frame.metal"
+#include "quat.metal"
 #include "formats.metal"
 #include "or_null.metal"
 #include "dither.metal"

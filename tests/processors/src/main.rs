@@ -75,9 +75,8 @@ fn report_frames<F: ListedFrame>(special: &[[f32; 7]]) {
 }
 
 fn report_rotations<C: ListedRotation>(special: &[[f32; 4]]) {
-    let encode = |rotations: &[_], codes: &mut [_]| {
-        store(rotations, codes, C::BYTES, |q| C::encode(q).to_words())
-    };
+    let encode =
+        |rotations: &[_], codes: &mut [_]| store(rotations, codes, C::BYTES, |q| C::encode(q).to_words());
     let decode = |codes: &[_], rotations: &mut [_]| {
         load(codes, rotations, C::BYTES, |words| C::decode(C::Code::from_words(words)));
     };

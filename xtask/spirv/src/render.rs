@@ -6,7 +6,7 @@ use anyhow::{Context, Result, ensure};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
-use unitvec_catalogue::CODECS;
+use unitvec_catalogue::directions;
 
 /// Where they lie.
 pub const FOLDER: &str = "host/render/shaders/spirv";
@@ -25,7 +25,7 @@ pub fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
             modules.entry(id.to_owned()).or_default().push((name.clone(), words));
         }
     }
-    for codec in &CODECS {
+    for codec in directions() {
         ensure!(modules.contains_key(codec.id), "no render shaders for {}", codec.id);
     }
     eprintln!("spirv: optimising {} modules of render shaders", modules.len());
