@@ -5,12 +5,12 @@ use base64::Engine;
 use serde_json::{Value, json};
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
-use unitvec::angle_deg;
+use unitvec::{angle_deg, rotation_angle_deg};
 use unitvec_catalogue::Element;
 use unitvec_catalogue::Operation;
 #[cfg(feature = "glsl")]
 use unitvec_catalogue::find;
-use unitvec_catalogue::{CODECS, Domain, frames, vectors};
+use unitvec_catalogue::{CODECS, Domain, frames, rotations, vectors};
 #[cfg(feature = "glsl")]
 use unitvec_run::glsl::Compiler;
 use unitvec_run::sampling;
@@ -55,7 +55,9 @@ fn codecs_lists_the_catalogue() {
         assert!(table.lines().any(|line| line.starts_with(codec.id)), "{}", codec.id);
         assert_eq!(entry["id"], codec.id);
         assert_eq!(entry["bits"], codec.bits);
-        assert_eq!(entry["element"], if codec.element == Element::Frame { "frame" } else { "vector" });
+        let element =
+            ["vector", "frame", "rotation"][Element::ALL.iter().position(|e| *e == codec.element).unwrap()];
+        assert_eq!(entry["element"], element);
         assert_eq!(entry["encode_function"], codec.function(Operation::Encode));
         assert_eq!(entry["bytes"], codec.bytes);
     }
@@ -219,6 +221,42 @@ fn framed(frames: &[[f32; 7]]) -> String {
         &[raw(&normals), raw(&tangents)],
         json!([accessor(0, frames.len(), "VEC3"), tangent]),
     )
+}
+
+/// A glTF file with an animation of rotations: one sampler linear, the other a cubic spline, whose keys are tangent, value and
+/// tangent; a channel that moves is in between.
+fn animated(rotations: &[[f32; 4]]) -> String {
+    let (linear, cubic) = rotations.split_at(rotations.len() / 2);
+    let keys: Vec<[f32; 4]> = cubic.iter().flat_map(|q| [[7.0; 4], *q, [-7.0; 4]]).collect();
+    let output = |view: usize, count: usize| json!({"bufferView": view, "componentType": 5126, "count": count, "type": "VEC4"});
+    let text =
+        gltf(json!([]), &[raw(linear), raw(&keys)], json!([output(0, linear.len()), output(1, keys.len())]));
+    let mut document: Value = serde_json::from_str(&text).unwrap();
+    let channel =
+        |sampler: usize, path: &str| json!({"sampler": sampler, "target": {"node": 0, "path": path}});
+    document["animations"] = json!([{
+        "name": "turn",
+        "channels": [channel(1, "rotation"), channel(0, "translation"), channel(0, "rotation"), channel(1, "rotation")],
+        "samplers": [{"input": 0, "output": 0}, {"input": 0, "output": 1, "interpolation": "CUBICSPLINE"}],
+    }]);
+    document.to_string()
+}
+
+/// Raw rotations and those of a glTF animation get the same codes from every backend, and come back within the codec's error.
+#[test]
+fn rotations_round_trip_on_every_backend() {
+    let folder = tempfile::tempdir().unwrap();
+    let original: Vec<[f32; 4]> = sampling::random_rotations(13).take(20_003).collect();
+    let [file, animation] = ["rotations.bin", "animation.gltf"].map(|name| folder.path().join(name));
+    std::fs::write(&file, raw(&original)).unwrap();
+    std::fs::write(&animation, animated(&original)).unwrap();
+    for codec in rotations() {
+        let (codes, back) = convert(codec.id, folder.path(), &file);
+        assert!((&codes, &back) == (&convert(codec.id, folder.path(), &animation).0, &back), "{}", codec.id);
+        let back: Vec<[f32; 4]> = elements(&back);
+        let worst = original.iter().zip(&back).map(|(a, b)| rotation_angle_deg(*a, *b)).fold(0.0, f64::max);
+        assert!(worst <= f64::from(codec.max_error_deg()), "{}: {worst}", codec.id);
+    }
 }
 
 /// Raw frames and those of a glTF file get the same codes from every backend, and come back within the codec's errors.

@@ -3,7 +3,7 @@
 //! difference is a break of every file written so far.
 
 use std::collections::BTreeMap;
-use unitvec_catalogue::{AnyCodec, frames, vectors};
+use unitvec_catalogue::{AnyCodec, frames, rotations, vectors};
 use unitvec_processors::{COUNT, Coder};
 
 /// The format, as it was when each codec was first released.
@@ -26,7 +26,8 @@ fn row<const N: usize>(codec: &AnyCodec) -> String {
 fn codes_are_the_released_ones() {
     let released: BTreeMap<&str, &str> =
         RELEASED.lines().skip(1).filter_map(|line| Some((line.split(',').next()?, line))).collect();
-    let rows: Vec<String> = vectors().iter().map(row::<3>).chain(frames().iter().map(row::<7>)).collect();
+    let (of_frames, of_rotations) = (frames().iter().map(row::<7>), rotations().iter().map(row::<4>));
+    let rows: Vec<String> = vectors().iter().map(row::<3>).chain(of_frames).chain(of_rotations).collect();
     for row in &rows {
         let id = row.split(',').next().unwrap_or_default();
         if let Some(released) = released.get(id) {

@@ -80,18 +80,27 @@ pub fn caller(front_end: &FrontEnd, formats: &[&'static AnyCodec]) -> String {
         "{interface}    if (n >= count) return;
     uint first = n * {words}u;
     uint2 code = uint2(words_in[first + {}u], words_in[first + {}u]);
-    float3 normal = float3({});
 ",
         words - 2,
         words - 1,
-        vector(0, 3)
     );
-    if element == Element::Frame {
-        text += &format!("    float4 tangent = float4({});\n", vector(3, 4));
+    let names: &[(&str, usize)] = match element {
+        Element::Vector => &[("normal", 3)],
+        Element::Frame => &[("normal", 3), ("tangent", 4)],
+        Element::Rotation => &[("rotation", 4)],
+    };
+    let mut first = 0;
+    for (name, floats) in names {
+        text += &format!("    float{floats} {name} = float{floats}({});\n", vector(first, *floats));
+        first += floats;
     }
     for (k, format) in formats.iter().enumerate() {
         let [encode, decode] = Operation::ALL.map(|operation| Signature::of(format, operation));
-        let arguments = if element == Element::Frame { "normal, tangent" } else { "normal" };
+        let arguments = match element {
+            Element::Vector => "normal",
+            Element::Frame => "normal, tangent",
+            Element::Rotation => "rotation",
+        };
         let given = if encode.result == Type::Uint { "code.x" } else { "code" };
         let [code, decoded] = [encode.result, decode.result].map(|of_type| match of_type {
             Type::Vec3 => "float3".to_owned(),

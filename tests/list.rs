@@ -5,7 +5,7 @@
 use crate::docs::costs::is_measured;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
-use unitvec_catalogue::{CODECS, Operation, find, frames};
+use unitvec_catalogue::{CODECS, Operation, find, frames, rotations};
 use unitvec_lab::accuracy::meyer::{METHODS, WIDTHS};
 use unitvec_lab::accuracy::{Table, beyond};
 use unitvec_manifest::modules::Modules;
@@ -99,7 +99,8 @@ fn measured() -> BTreeSet<String> {
     let survey = published.filter_map(|row| row.codec());
     let meyer = METHODS.iter().flat_map(|method| WIDTHS.iter().filter_map(|&bits| method.codec(bits)));
     let vectors = survey.chain(meyer).chain(beyond::codecs()).map(|codec| codec.id);
-    vectors.chain(frames().iter().map(|codec| codec.id)).map(str::to_owned).collect()
+    let others = frames().iter().chain(rotations()).map(|codec| codec.id);
+    vectors.chain(others).map(str::to_owned).collect()
 }
 
 /// The codecs in a file with a row for each, that begins with the identifier.

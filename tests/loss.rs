@@ -130,6 +130,25 @@ fn frames_have_two_errors() {
     }
 }
 
+/// Rotations have angles of rotation, whatever their signs are; one without a direction is left out.
+#[test]
+fn rotations_have_angles_of_rotation() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut rotations: Vec<[f32; 4]> = sampling::random_rotations(23).take(500).collect();
+    rotations[7].fill(0.0);
+    let path = file(&folder, "in.bin", rotations.as_flattened());
+    let report = report(&["quat24", "quat64"], &[&path]);
+    for codec in catalogue::rotations().iter().filter(|codec| ["quat24", "quat64"].contains(&codec.id)) {
+        let kept = rotations.iter().enumerate().filter(|(index, _)| *index != 7);
+        let errors = kept.map(|(_, rotation)| {
+            let decoded: [f32; 4] = codec.decode_one(codec.encode_one(*rotation));
+            let unit = |q: [f32; 4]| unitvec_oracle::quat::unit(q.map(f64::from));
+            unitvec_oracle::quat::angle_deg(unit(*rotation), unit(decoded))
+        });
+        assert_errors(row(&report["rows"], codec.id, "rotation"), errors.collect(), 1);
+    }
+}
+
 /// Over more than a chunk, and over files: the totals are those of all their vectors.
 #[test]
 fn totals_are_of_all_files() {

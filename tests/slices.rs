@@ -112,6 +112,18 @@ fn frames_at_every_length() {
     }
 }
 
+/// Rotations of every length, of a vector and a number of another.
+#[test]
+fn rotations_at_every_length() {
+    let vectors = vectors(2 * LENGTHS.end());
+    let rotations: Vec<[f32; 4]> =
+        vectors.chunks_exact(2).map(|v| [v[0][0], v[0][1], v[0][2], v[1][0]]).collect();
+    let bytes = bytes(8 * LENGTHS.end());
+    for codec in catalogue::rotations() {
+        check_levels(codec, LENGTHS, &rotations, &bytes);
+    }
+}
+
 /// An output that is one element short or long is an error and stays as it was, and so are bytes that are no whole number
 /// of codes.
 fn check_wrong_lengths(codec: &AnyCodec, count: usize) {

@@ -87,6 +87,18 @@ typedef struct unitvec_frame {
   float handedness;
 } unitvec_frame;
 
+/// A rotation as a unit quaternion, laid out as four floats of an array. Length and sign do not matter.
+typedef struct unitvec_quat {
+  /// The first component of the imaginary part.
+  float x;
+  /// The second component of the imaginary part.
+  float y;
+  /// The third component of the imaginary part.
+  float z;
+  /// The real part.
+  float w;
+} unitvec_quat;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -1032,6 +1044,30 @@ uint64_t unitvec_frame64_encode(struct unitvec_frame frame);
 
 /// The frame of a code of frame64. Higher bits are ignored.
 struct unitvec_frame unitvec_frame64_decode(uint64_t code);
+
+/// The code of a rotation by quat24: 24 bits, at most 0.77 degrees off.
+uint32_t unitvec_quat24_encode(struct unitvec_quat rotation);
+
+/// The rotation of a code of quat24. Higher bits are ignored.
+struct unitvec_quat unitvec_quat24_decode(uint32_t code);
+
+/// The code of a rotation by quat32: 32 bits, at most 0.119 degrees off.
+uint32_t unitvec_quat32_encode(struct unitvec_quat rotation);
+
+/// The rotation of a code of quat32. Higher bits are ignored.
+struct unitvec_quat unitvec_quat32_decode(uint32_t code);
+
+/// The code of a rotation by quat48: 48 bits, at most 0.00296 degrees off.
+uint64_t unitvec_quat48_encode(struct unitvec_quat rotation);
+
+/// The rotation of a code of quat48. Higher bits are ignored.
+struct unitvec_quat unitvec_quat48_decode(uint64_t code);
+
+/// The code of a rotation by quat64: 64 bits, at most 0.000088 degrees off.
+uint64_t unitvec_quat64_encode(struct unitvec_quat rotation);
+
+/// The rotation of a code of quat64. Higher bits are ignored.
+struct unitvec_quat unitvec_quat64_decode(uint64_t code);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -12,7 +12,7 @@ pub mod versions;
 use unitvec::arith;
 use unitvec::direction::{is_usable, l1_norm};
 use unitvec::glam::Vec3;
-use unitvec_catalogue::{Domain, frames, vectors};
+use unitvec_catalogue::{Domain, frames, rotations, vectors};
 use unitvec_run::glsl;
 use unitvec_run::glsl::Compiler;
 use unitvec_run::sampling::{random_directions, special_vectors};
@@ -27,9 +27,13 @@ fn calls(file: &str) -> String {
         let id = codec.id;
         format!("{{ vec3 n; vec4 t; {id}_decode({id}_encode(v, v.xyzx), n, t); v += n + t.xyz * t.w; }}\n")
     });
+    let rotations = rotations().iter().filter(|codec| codec.glsl_file() == file);
+    let of_rotations =
+        rotations.map(|codec| format!("v += {id}_decode({id}_encode(v.xyzx)).xyz;\n", id = codec.id));
     vectors
         .map(|codec| format!("v += {id}_decode({id}_encode(v));\n", id = codec.id))
         .chain(of_frames)
+        .chain(of_rotations)
         .collect()
 }
 
