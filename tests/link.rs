@@ -104,6 +104,7 @@ pub fn caller(front_end: &FrontEnd, formats: &[&'static AnyCodec]) -> String {
         let given = if encode.result == Type::Uint { "code.x" } else { "code" };
         let [code, decoded] = [encode.result, decode.result].map(|of_type| match of_type {
             Type::Vec3 => "float3".to_owned(),
+            Type::Vec4 => "float4".to_owned(),
             Type::Uvec2 => "uint2".to_owned(),
             other => other.to_string(),
         });

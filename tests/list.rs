@@ -11,12 +11,13 @@ use unitvec_lab::accuracy::{Table, beyond};
 use unitvec_manifest::modules::Modules;
 use unitvec_oracle::Reference;
 use unitvec_oracle::frame::Format;
+use unitvec_oracle::quat::WIDTHS as WIDTHS_OF_ROTATIONS;
 use unitvec_tests::repository;
 
 /// A test of whether a codec has something, by its identifier.
 type Has = Box<dyn Fn(&str) -> bool>;
 
-/// Every codec of vectors and of frames has its two SPIR-V kernels, GLSL functions, an oracle of as many bits, a digest, a row of `unitvec accuracy`, and one of `docs/tables.md`. All that lacks is named. `modules` compiles the GLSL kernels.
+/// Every codec has its two SPIR-V kernels, GLSL functions, an oracle of as many bits, a digest, a row of `unitvec accuracy`, and one of `docs/tables.md`. All that lacks is named. `modules` compiles the GLSL kernels.
 #[test]
 fn nothing_is_lacking() {
     let has: [(&str, Has); 5] = [
@@ -38,7 +39,9 @@ fn nothing_is_lacking() {
                 .map(|function| format!("{function} in glsl/unitvec")),
         );
         let of_vectors = Reference::find(format.id).map(|codec| codec.bits);
-        let bits = of_vectors.or_else(|| Format::find(format.id).map(Format::bits));
+        let of_rotations = WIDTHS_OF_ROTATIONS.iter().find(|(bits, _)| format.id == format!("quat{bits}"));
+        let others = || Format::find(format.id).map(Format::bits).or(of_rotations.map(|(bits, _)| *bits));
+        let bits = of_vectors.or_else(others);
         if bits != Some(format.bits) {
             lacking.push(format!("{}: an oracle of {} bits", format.id, format.bits));
         }

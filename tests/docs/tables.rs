@@ -7,8 +7,11 @@ use super::{
 };
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
-use unitvec_catalogue::{AnyCodec, CODECS, Choice, Domain, Operation, RECOMMENDED, find, frames, vectors};
+use unitvec_catalogue::{
+    AnyCodec, CODECS, Choice, Domain, Operation, RECOMMENDED, find, frames, rotations, vectors,
+};
 pub use unitvec_choose::degrees;
+use unitvec_lab::accuracy::beyond::rotation_bound_deg;
 use unitvec_lab::accuracy::{Published, Table, covering_bound_deg};
 use unitvec_tests::{files, repository};
 
@@ -23,6 +26,7 @@ pub fn table(name: &str) -> Option<String> {
         "families" => families(),
         "codecs" => codecs(rest),
         "frames" => codecs_of_frames(),
+        "rotations" => codecs_of_rotations(),
         "bound" => bound(),
         "nulls" => nulls(),
         "above-survey" => above_survey(),
@@ -288,6 +292,27 @@ fn codecs_of_frames() -> String {
     });
     let titles = "codec | Rust type | bits | bytes | Vulkan format | normal: mean / max | bound | tangent: mean / max | bound | cost: \
                   encode / decode";
+    markdown_table(titles, rows)
+}
+
+/// Every codec of rotations, with the errors that no code can beat.
+fn codecs_of_rotations() -> String {
+    let rows = rotations().iter().map(|codec| {
+        let AnyCodec { id, rust_type, bits, bytes, .. } = codec;
+        let errors = accuracy::of(id, "rotation");
+        let (mean, max) = rotation_bound_deg(*bits);
+        let (format, bound) = (vk_format(codec), degrees(codec.max_error_deg().into()));
+        format!(
+            "`{id}` | `{rust_type}` | {bits} | {bytes} | {format} | {} | {bound} | {} | {:.3} / {:.3} | {}",
+            mean_and_max(errors),
+            mean_and_max(Errors { mean, max }),
+            errors.mean / mean,
+            errors.max / max,
+            costs::both(id)
+        )
+    });
+    let titles = "codec | Rust type | bits | bytes | Vulkan format | mean / max | bound | the least: mean / max | ratio | cost: encode / \
+                  decode";
     markdown_table(titles, rows)
 }
 
