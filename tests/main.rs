@@ -26,6 +26,7 @@ mod fuzz;
 mod glsl;
 mod harm;
 mod hemioct;
+mod hexcube;
 mod house;
 mod ico;
 #[cfg(feature = "glsl")]

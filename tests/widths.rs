@@ -37,11 +37,14 @@ type SppWide<const BITS: u32> = parallel::Spp<BITS, [u32; 2]>;
 
 #[test]
 fn only_widths_that_work_compile() {
-    use {cube::*, cylindrical::*, eaoct::*, fib::*, hemioct::*, ico::*, latlong::*, oct::*, oct_wide::*};
+    use {
+        cube::*, cylindrical::*, eaoct::*, fib::*, hemioct::*, hexcube::*, ico::*, latlong::*, oct::*,
+        oct_wide::*,
+    };
     use {parallel::*, snorm::*, soct::*, spherical::*, uoct::*};
     assert_widths!(Oct OctPrecise UOctPrecise: (4..=32).step_by(2).collect::<Vec<_>>());
     assert_widths!(EaOct EaOctPrecise Spherical Stereographic: [16, 20, 22, 24, 32]);
-    assert_widths!(HemiOct HemiOctPrecise Cylindrical LatLong LatLongD Fib Ico Cube WarpedCube XyOnly Pp Spp: [16, 24, 32]);
+    assert_widths!(HemiOct HemiOctPrecise Cylindrical LatLong LatLongD Fib Ico HexCube Cube WarpedCube XyOnly Pp Spp: [16, 24, 32]);
     assert_widths!(OctWide PpWide SppWide: [48]);
     assert_widths!(OctWidePrecise: [48, 52]);
     assert_widths!(SOct: [17, 25]);

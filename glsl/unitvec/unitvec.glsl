@@ -13,6 +13,7 @@
 #include "cylindrical.glsl"
 #include "latlong.glsl"
 #include "fib.glsl"
+#include "hexcube.glsl"
 #include "ico.glsl"
 #include "best_fit.glsl"
 #include "azimuthal.glsl"

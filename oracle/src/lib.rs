@@ -12,6 +12,7 @@ pub mod eaoct;
 pub mod fib;
 pub mod frame;
 pub mod hemioct;
+pub mod hexcube;
 pub mod ico;
 pub mod latlong;
 pub mod oct;

@@ -7,7 +7,7 @@ use crate::azimuthal::{self, Azimuthal, CONCENTRIC, ELLIPSE, EQAREA, EQDIST, PLA
 use crate::parallel::{self, Kind};
 use crate::{
     Cylindrical, EaOct, Fib, HemiOct, Ico, LatLong, LatLongD, Oct, Oracle, Spherical, best_fit, cube, eaoct,
-    hemioct, ico, latlong, oct, raw, soct, uoct,
+    hemioct, hexcube, ico, latlong, oct, raw, soct, uoct,
 };
 
 /// A codec.
@@ -112,6 +112,7 @@ pub fn round_trip(id: &str) -> Option<impl Fn([f64; 3]) -> [f64; 3]> {
 fn exists(family: &str, suffix: &str, bits: u32) -> bool {
     match (family, suffix) {
         ("soct", _) => bits % 2 == 1 && (5..=63).contains(&bits),
+        ("hexcube", _) => hexcube::find_lattice(bits).is_some(),
         ("ico", _) => ico::find_lattice(bits).is_some(),
         ("latlong", "d") => latlong::find_rings(bits).is_some(),
         _ => bits % 2 == 0 && (4..=62).contains(&bits),
@@ -136,6 +137,12 @@ fn of_family(family: &str, suffix: &str) -> Option<Functions> {
         ("latlong", "") => Functions::of::<LatLong>(),
         ("latlong", "d") => Functions::of::<LatLongD>(),
         ("fib", "") => Functions::of::<Fib>(),
+        ("hexcube", "") => Functions {
+            round_trip: hexcube::nearest,
+            decode: hexcube::decode,
+            domain: |v| v,
+            is_settled: |_, _| true,
+        },
         ("ico", "") => Functions { round_trip: ico::nearest, ..Functions::of::<Ico>() },
         ("cube", "") => Functions::cube::<false>(),
         ("warpedcube", "") => Functions::cube::<true>(),

@@ -39,6 +39,8 @@ pub fn decoding(codec: &Tested) -> Tolerance {
     match codec.family {
         // The weights of a point's three vertices have up to 31 bits: each is rounded before the normalisation.
         "ico" => roundings(4),
+        // A product before the normalisation.
+        "hexcube" => roundings(3),
         // A polynomial, and two products.
         "azimuthal" | "eaoct" | "cube" => roundings(4),
         // A sine and a cosine, each off by up to 7.0e-8, for each of two angles, which are rounded to 2^-25 of a half turn
@@ -178,7 +180,7 @@ fn hemisphere_with_a_bit_less(codec: &Tested) -> Option<Summary> {
 
 /// Means of codecs that the survey does not have, or of which ours do better by design (halves rounded, not truncated; a
 /// fuller search of lengths), and how far they may be off, as a part.
-const STATED: [(&str, f64, f64); 32] = [
+const STATED: [(&str, f64, f64); 35] = [
     ("eaoct16", 0.30960, 0.005),
     ("eaoct20", 0.07695, 0.005),
     ("eaoct22", 0.03843, 0.005),
@@ -202,6 +204,10 @@ const STATED: [(&str, f64, f64); 32] = [
     ("ico16", 0.30361, 0.0015),
     ("ico24", 0.018776, 0.0015),
     ("ico32", 0.0011721, 0.0015),
+    // 1.4 % above that mean at 16 bits, 1.1 % at more.
+    ("hexcube16", 0.3035, 0.0015),
+    ("hexcube24", 0.018911, 0.0015),
+    ("hexcube32", 0.0011819, 0.0015),
     // 1.0 to 1.3 % above that mean.
     ("fib16", 0.3030, 0.0025),
     ("fib24", 0.018904, 0.0025),
