@@ -4,14 +4,14 @@
 //   vector32b_encode(v), vector32b_decode(code)   oct20p and 12 bits, 128 steps an octave: 2^-16 to 2^15.98
 //   vector48_encode(v), vector48_decode(code)     oct32p and 16 bits, 2048 steps; codes are uvec2, low word first
 //
-// Beside any other codec of directions:
+// Beside any other codec of directions, with lengths near 2^(low + i / steps):
 //
-//   code_of_length(v, bits, steps, low)      0 for the zero vector or i + 1: the length of v is near 2^(low + i / steps)
+//   code_of_length(v, bits, steps, low)      0 for the zero vector, else i + 1, of i from 0
 //   length_of_code(code, bits, steps, low)   that length; steps is a power of two to 2048, low from -62, 2^62 the most
 //   with_reach(v)                            the vector to encode: v or, if its components are huge, a shorter one
 //
-// Zero is exact, and so are powers of two along the axes. A greater length than the greatest, infinite ones too, counts as
-// that, a lesser one than the least as the least or, below half of it, as 0. A vector with NaN is 0.
+// Zero is exact, and so are powers of two along the axes. Greater lengths, infinite ones too, count as the greatest, lesser
+// ones as the least or, below half of it, as 0. A vector with NaN is 0.
 
 #ifndef UNITVEC_WITH_LENGTH_GLSL
 #define UNITVEC_WITH_LENGTH_GLSL
@@ -38,8 +38,6 @@ const float UNITVEC_EXP_3 = 0.0018793186;
 
 // Vectors of an L1 norm from here on, 2^64, are longer than any range.
 const float UNITVEC_FAR = 18446744073709551616.0;
-const float UNITVEC_FAR_PART = 5.421010862427522e-20;
-const uint UNITVEC_MAX_BITS = 0x7f7fffffu;
 
 // The logarithm of x to the base of two, for positive normal x.
 float unitvec_log2(float x) {
@@ -73,7 +71,6 @@ uint code_of_length(vec3 v, uint bits, uint steps, int low) {
 float length_of_code(uint code, uint bits, uint steps, int low) {
     uint field = code & unitvec_mask(bits);
     uint i = field - 1u;
-    // The bits of a power of two are its exponent's alone.
     int octave_bits = int(floatBitsToUint(float(steps)) >> 23u) - 127;
     UNITVEC_PRECISE float g = float(i & (steps - 1u)) * unitvec_exp2(-octave_bits);
     UNITVEC_PRECISE float polynomial =
@@ -85,14 +82,13 @@ float length_of_code(uint code, uint bits, uint steps, int low) {
 
 // x, or the largest float of its sign for infinity.
 float unitvec_finite(float x) {
-    uint magnitude = floatBitsToUint(x) & ~UNITVEC_SIGN_BIT;
-    uint finite = magnitude > UNITVEC_MAX_BITS ? UNITVEC_MAX_BITS : magnitude;
-    return uintBitsToFloat((floatBitsToUint(x) & UNITVEC_SIGN_BIT) | finite);
+    uint magnitude = min(floatBitsToUint(x) & ~UNITVEC_SIGN_BIT, 0x7f7fffffu);
+    return unitvec_with_sign(uintBitsToFloat(magnitude), x);
 }
 
 vec3 with_reach(vec3 v) {
-    UNITVEC_PRECISE vec3 shorter =
-        vec3(unitvec_finite(v.x), unitvec_finite(v.y), unitvec_finite(v.z)) * UNITVEC_FAR_PART;
+    vec3 finite = vec3(unitvec_finite(v.x), unitvec_finite(v.y), unitvec_finite(v.z));
+    UNITVEC_PRECISE vec3 shorter = finite * 5.421010862427522e-20;
     return floatBitsToUint(unitvec_l1_norm(v)) < floatBitsToUint(UNITVEC_FAR) ? v : shorter;
 }
 

@@ -1,7 +1,7 @@
 //! Axes: directions for which v and -v are the same, such as fibres, crystal axes and the normals of thin leaves.
 //!
-//! An axis has one end in half of the sphere, so that the codes of a hemisphere serve, at the error that they have there.
-//! Measure it as `min(e, 180 - e)` degrees, where `e` is the angle between an encoded and a decoded vector.
+//! An axis has one end in half of the sphere, so that the codes of a hemisphere serve, with their error: of the angle `e`
+//! between an encoded and a decoded vector, it is `min(e, 180 - e)`.
 //!
 //! | degrees | mean | max | bound |
 //! |---|---|---|---|
@@ -10,21 +10,18 @@
 //! | `axial32` | 0.000926 | 0.00214 | 0.00218 |
 //! | [`oct16p`](crate::oct), which tells v from -v | 0.315 | 0.638 | 0.638 |
 //!
-//! * Layout: that of [`hemioct`](crate::hemioct), whose decoder decodes. The first component that is not 0, of z, x and y in
-//!   this order, is positive in decoded vectors.
-//! * One code for each axis, whichever end is encoded. Axes on the equator, z = 0, have two codes in the hemisphere's
-//!   format: encoders write that of the end with x > 0 or, where x is 0 too, y > 0. The other one decodes to the other
-//!   end.
-//! * Of codes that encoders write, the decoded vector is encoded to the code. The axes of the coordinates are exact.
+//! * Layout: that of [`hemioct`](crate::hemioct), whose decoder decodes. An encoder writes one code for an axis, of the
+//!   end whose first component that is not 0, of z, x and y in this order, is positive. (The code of the other end of an
+//!   axis on the equator, z = 0, is never written, and decodes to that end.)
+//! * The axes of the coordinates are exact. What an encoder writes decodes to a vector that encodes to the same code.
 //! * A vector without a usable direction gets the code of Z. [`OrNull`](crate::OrNull) tells it apart.
-//! * Good for: axes. Weaknesses: a decoded vector jumps to its opposite where an axis crosses the equator, so that
-//!   neighbours must be compared and averaged as axes, by `v v^T` or after turning one to the other.
+//! * Weakness: a decoded vector jumps to its opposite where an axis crosses the equator. Compare and average neighbours as
+//!   axes, by `v v^T` or after turning one to the other.
 //!
 //! ```
 //! use unitvec::{Axial16, Codec};
 //!
 //! let code = Axial16::encode([0.0, -1.0, 0.0]);
-//! assert_eq!(code, Axial16::encode([0.0, 1.0, 0.0]));
 //! assert_eq!(Axial16::decode::<[f32; 3]>(code), [0.0, 1.0, 0.0]);
 //! ```
 
@@ -42,46 +39,28 @@ pub trait HalfSphere: Codec {
     fn one_of_two(code: Self::Code) -> Self::Code;
 }
 
-/// [`HalfSphere::one_of_two`] of a hemi-octahedral code of `bits` bits. The equator is the square's border, and there
-/// x + y or x - y is the largest number of its sign: the end sought has +m as the first, or as the second.
-#[inline(always)]
-fn one_of_two(code: u32, bits: u32) -> u32 {
-    let half = bits / 2;
-    let (most, whole) = (mask(half - 1), mask(half));
-    let least = whole - most + 1;
-    let (u, v) = (code & whole, code >> half);
-    let opposite = (0u32.wrapping_sub(u) & whole) | ((0u32.wrapping_sub(v) & whole) << half);
-    if u == least || (v == least && u != most) { opposite } else { code }
-}
-
-impl<const BITS: u32> HalfSphere for HemiOct<BITS>
-where
-    Self: Width,
-{
-    #[inline(always)]
-    fn one_of_two(code: u32) -> u32 {
-        one_of_two(code, BITS)
-    }
-}
-
 impl<const BITS: u32> HalfSphere for HemiOctPrecise<BITS>
 where
     HemiOct<BITS>: Width,
 {
+    /// The equator is the border of the square, where one of x + y and x - y is m or -m. Of its ends, the one sought has m as
+    /// the first or, unless the first is -m, as the second.
     #[inline(always)]
     fn one_of_two(code: u32) -> u32 {
-        one_of_two(code, BITS)
+        let (half, most, whole) = (BITS / 2, mask(BITS / 2 - 1), mask(BITS / 2));
+        let least = whole - most + 1;
+        let (u, v) = (code & whole, code >> half);
+        let opposite = (0u32.wrapping_sub(u) & whole) | ((0u32.wrapping_sub(v) & whole) << half);
+        if u == least || (v == least && u != most) { opposite } else { code }
     }
 }
 
-/// The end of the axis of `v` whose first component that is not 0, of z, x and y in this order, is positive. Denormals
-/// count as 0.
+/// The end of the axis of `v` whose first component that is not 0, of z, x and y, is positive. Denormals count as 0.
 #[inline(always)]
 fn end(v: Vec3) -> Vec3 {
     let counts = |x: f32| x.abs() >= f32::MIN_POSITIVE;
     let horizontal = if counts(v.x) { v.x } else { v.y };
-    let first = if counts(v.z) { v.z } else { horizontal };
-    if is_negative(first) { -v } else { v }
+    if is_negative(if counts(v.z) { v.z } else { horizontal }) { -v } else { v }
 }
 
 /// The codec `C` of a hemisphere, for axes: v and -v get the same code.

@@ -1,46 +1,38 @@
 //! Vectors with a length, such as velocities and forces: a codec's direction beside the logarithm of the length.
 //!
-//! A length is rounded to the nearest of `2^(L + i / S)`, i = 0, 1, 2 ..., so that the relative error is the same for all
-//! lengths: at most `2^(1 / (2 S)) - 1`. Floats of as many bits err by up to twice that: half floats, for 32 octaves in 15
-//! bits, by 4.9e-4; 2048 steps an octave, in 16 bits, by 1.7e-4.
+//! A length is rounded to the nearest of `2^(L + i / S)`, i = 0, 1, 2 ..., so that the relative error is alike for all lengths:
+//! at most `2^(1 / (2 S)) - 1`. (Half floats, for 32 octaves in 15 bits, err by up to 4.9e-4; 16 bits here by 1.7e-4.)
 //!
-//! | format | direction | length | least | greatest | relative error, mean | max | bound |
+//! | format | direction | bits of length | S | lengths | relative error, mean | max | bound |
 //! |---|---|---|---|---|---|---|---|
-//! | `vector32` | [`oct24p`](crate::oct), 0.0394 degrees | 8 bits, 8 steps an octave | 2^-16 | 2^15.75 | 0.0217 | 0.0443 | 0.0447 |
-//! | `vector32b` | [`oct20p`](crate::oct), 0.158 degrees | 12 bits, 128 | 2^-16 | 2^15.98 | 0.00204 | 0.00378 | 0.00390 |
+//! | `vector32` | [`oct24p`](crate::oct) | 8 | 8 | 2^-16 to 2^15.75 | 0.0217 | 0.0443 | 0.0447 |
+//! | `vector32b` | [`oct20p`](crate::oct) | 12 | 128 | 2^-16 to 2^15.98 | 0.00204 | 0.00378 | 0.00390 |
 //! | signed R9G9B9E5 | | | | | 0.00225 | 0.00637 | |
-//! | `vector48` | [`oct32p`](crate::oct), 0.00248 degrees | 16 bits, 2048 | 2^-16 | 2^15.9995 | 8.95e-5 | 0.000175 | 0.000177 |
+//! | `vector48` | [`oct32p`](crate::oct) | 16 | 2048 | 2^-16 to 2^15.999 | 8.95e-5 | 0.000175 | 0.000177 |
 //! | three halves | | | | | 0.000191 | 0.000545 | |
 //!
-//! The relative error is `|d - v| / |v|`, of a vector v and the decoded one, d. Mean and maximum are of random directions and
-//! lengths from 2^-13 to 2^15 whose logarithm is uniform. R9G9B9E5 has no signs; its signed analogue has a sign and 8 bits a
-//! component.
+//! The relative error is `|d - v| / |v|`, of a vector v and the decoded one, d, over random directions and lengths from 2^-13
+//! to 2^15 whose logarithm is uniform. R9G9B9E5 has no signs; its signed analogue has a sign and 8 bits a component.
 //!
 //! * Bound: with an angle `a` between them, and d longer than v by the part e, `|d - v|^2 / |v|^2` is
 //!   `e^2 + (1 + e) (2 sin(a / 2))^2`, so that the error is at most `sqrt(e^2 + (1 + e) a^2)`.
-//!   `vector32b` has parts that are alike, and the least error that 32 bits have here; `vector32` is for those who look at
-//!   directions.
-//! * Layout: the direction's code in the low bits, above it 0 for the zero vector or `i + 1`. A code of more than 32 bits is
-//!   two words, low word first.
-//! * Exact: the zero vector, and vectors along the axes whose length is a power of two in the range. Every code but those of
-//!   the zero vector, and codes that the codec never writes, is written.
-//! * Lengths beyond the range: greater ones, infinite ones too, get the greatest; lesser ones the least, from half of it
-//!   on, those below half of it are zero. A component that is infinite counts as the largest float. A vector with NaN is zero.
-//! * Decode, encode and decode again: the second vector equals the first for codecs of up to 32 bits whose vectors lie so far
-//!   from their cells' borders that multiplying by the length does not matter: all octahedral ones, precise or not.
-//! * Good for: velocities, winds, forces, displacements. Weakness: components are not linear in the code, so that codes
-//!   must not be interpolated.
+//! * `vector32b` balances the two parts. `vector32` is for those to whom the direction matters more.
+//! * Layout: the direction's code in the low bits, above it 0 for the zero vector or `i + 1`. More than 32 bits are two
+//!   words, low word first.
+//! * Exact: zero, and vectors along the axes whose length is a power of two in the range.
+//! * Beyond the range: greater lengths, infinite ones too, get the greatest. Lesser ones get the least, down to half of it
+//!   (to half a step); below that a vector is zero, as is one with NaN. Infinite components count as the largest float.
+//! * Decode, encode and decode again: the second vector equals the first. This holds for octahedral codecs of up to 32 bits,
+//!   and for all whose decoded vectors may be rounded without a change of their code.
 //!
 //! ```
 //! use unitvec::{Codec, Vector32};
 //!
-//! let code = Vector32::encode([0.0, -8.0, 0.0]);
-//! assert_eq!(Vector32::decode::<[f32; 3]>(code), [0.0, -8.0, 0.0]);
-//! assert_eq!(Vector32::decode::<[f32; 3]>(Vector32::encode([0.0; 3])), [0.0; 3]);
+//! assert_eq!(Vector32::decode::<[f32; 3]>(Vector32::encode([0.0, -8.0, 0.0])), [0.0, -8.0, 0.0]);
 //! ```
 
 use crate::arith::{
-    ONE_AND_A_HALF_2_23, SIGN_BIT, coefficients, dot, exp2, is_nan, mask, ratio, scaled_to_one,
+    ONE_AND_A_HALF_2_23, SIGN_BIT, coefficients, dot, exp2, is_nan, mask, ratio, scaled_to_one, with_sign,
 };
 use crate::codec::{Codec, RawCode};
 use crate::direction::{MIN_NORM, l1_norm};
@@ -104,11 +96,7 @@ fn length(code: u32, steps: u32, low: i32) -> f32 {
 /// direction.
 #[inline(always)]
 fn within_reach(v: Vec3, norm: f32) -> Vec3 {
-    let finite = |x: f32| {
-        let magnitude = x.to_bits() & !SIGN_BIT;
-        let most = f32::MAX.to_bits();
-        f32::from_bits((x.to_bits() & SIGN_BIT) | if magnitude > most { most } else { magnitude })
-    };
+    let finite = |x: f32| with_sign(f32::from_bits((x.to_bits() & !SIGN_BIT).min(f32::MAX.to_bits())), x);
     let shorter = Vec3::new(finite(v.x), finite(v.y), finite(v.z)) * exp2(-64);
     if norm.to_bits() < FAR.to_bits() { v } else { shorter }
 }
@@ -118,20 +106,17 @@ fn within_reach(v: Vec3, norm: f32) -> Vec3 {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct WithLength<C, W, const LENGTH_BITS: u32, const STEPS: u32, const LOW: i32>(PhantomData<(C, W)>);
 
-/// Vectors of lengths up to 55,109 in 32 bits: 24 of direction, 8 of length. See the [module](self).
+/// Vectors of lengths up to 2^15.75 in 32 bits: 24 of direction, 8 of length. See the [module](self).
 pub type Vector32 = WithLength<OctPrecise<24>, u32, 8, 8, -16>;
-/// Vectors of lengths up to 64,487 in 32 bits: 20 of direction, 12 of length, which balances their errors. See the
+/// Vectors of lengths up to 2^15.98 in 32 bits: 20 of direction, 12 of length, which balances their errors. See the
 /// [module](self).
 pub type VectorBalanced32 = WithLength<OctPrecise<20>, u32, 12, 128, -16>;
-/// Vectors of lengths up to 65,514 in 48 bits: 32 of direction, 16 of length. See the [module](self).
+/// Vectors of lengths up to 2^15.999 in 48 bits: 32 of direction, 16 of length. See the [module](self).
 pub type Vector48 = WithLength<OctPrecise<32>, [u32; 2], 16, 2048, -16>;
 
 impl<C: Codec, W: RawCode, const LENGTH_BITS: u32, const STEPS: u32, const LOW: i32>
     WithLength<C, W, LENGTH_BITS, STEPS, LOW>
 {
-    /// The least length but 0.
-    pub const LEAST: f32 = exp2(LOW);
-
     /// An upper bound of the relative error of a length in the range. To half a step come 0.004 steps, of the logarithm and
     /// its rounding, and 3e-7, of the decoded vector.
     pub const MAX_LENGTH_ERROR: f32 = {
