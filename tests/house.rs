@@ -153,7 +153,8 @@ fn floats_are_divided_in_one_place() {
     let sources = repository().join("shader-crate/src");
     let own =
         ["divide.rs", "exact.rs", "elementary.rs", "bare.rs"].map(|file| sources.join("arith").join(file));
-    let folders = ["arith", "dither", "families"].map(|folder| files(&sources.join(folder), &[".rs"]));
+    let folders =
+        ["arith", "dither", "families", "wrap"].map(|folder| files(&sources.join(folder), &[".rs"]));
     let rust = folders.into_iter().flatten().chain(["frame.rs", "formats.rs"].map(|file| sources.join(file)));
     let glsl = files(&repository().join("glsl/unitvec"), &[".glsl"]);
     let mut found = Vec::new();

@@ -64,6 +64,7 @@ mod unoptimised;
 mod uoct;
 mod vectors;
 mod widths;
+mod wrappers;
 
 /// Shown as ignored where the tests of the GLSL are not compiled.
 #[cfg(not(feature = "glsl"))]

@@ -1,4 +1,4 @@
-// unitvec: all codec families, in the order of the list of codecs, formats, null codes and dither. See the family's file
+// unitvec: all codec families, in the order of the list of codecs, formats, null codes, wrappers and dither. See the family's file
 // for its functions.
 
 #include "arith.glsl"
@@ -26,4 +26,7 @@
 #include "quat.glsl"
 #include "formats.glsl"
 #include "or_null.glsl"
+#include "axial.glsl"
+#include "angle.glsl"
+#include "with_length.glsl"
 #include "dither.glsl"

@@ -41,8 +41,8 @@
 //!   interpolated.
 
 use crate::arith::{
-    SIGN_BIT, TWO_23, coefficients, dot, exp2, flip_sign, mask, nearest_code, nearest_pair, normalize, ratio,
-    signed_quotient, snorm_integer, snorm_max, with_sign,
+    SIGN_BIT, diamond_code, diamond_error, diamond_point, dot, flip_sign, nearest_code, nearest_pair,
+    normalize, ratio, signed_quotient, snorm_integer, snorm_max, with_sign,
 };
 use crate::codec::{Codec, RawCode, storage_bytes};
 use crate::direction::{is_usable, l1_norm};
@@ -170,16 +170,6 @@ pub trait FrameCodec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static
     fn decode(code: Self::Code) -> Frame;
 }
 
-coefficients! {
-    /// `w = v (WARP_0 + WARP_1 v^2 + WARP_2 v^4)`, near `tan(pi v / 4)`: equal steps of v from -1 to 1 are angles of
-    /// `atan(w)` that are equal but for 0.26 %. The least maximum that three terms allow is 0.25 %; these are rounded to
-    /// multiples of 2^-12 so that their sum is 1 and both ends are exact.
-    pub WARP_0 = 3225.0 / 4096.0, WARP_1 = 624.0 / 4096.0, WARP_2 = 247.0 / 4096.0;
-
-    /// The inverse warp, `v = w + w (1 - u) (UNWARP_0 + u (UNWARP_1 + u UNWARP_2))` with `u = w^2`: within 3.0e-5.
-    pub UNWARP_0 = 0.27020066, UNWARP_1 = -0.13198552, UNWARP_2 = 0.0392082;
-}
-
 /// Two unit vectors that make an orthonormal basis with the unit vector `n`: right-handed, (first, second, `n`).
 ///
 /// Frisvad's basis rotates the axes by the arc from +Z to `n`, which has no limit at -Z; Duff's does so from -Z where z
@@ -195,26 +185,6 @@ pub fn basis(n: Vec3) -> (Vec3, Vec3) {
     )
 }
 
-/// The place on a side of the diamond, -1 to 1, for `v` of -1 to 1. Both ends are exact.
-#[inline(always)]
-fn warp(v: f32) -> f32 {
-    let u = v * v;
-    v * (WARP_0 + u * (WARP_1 + u * WARP_2))
-}
-
-/// The inverse of [`warp`]: within 3.0e-5, which is 0.4 % of half a step of 9 bits. For more bits a step of Newton's
-/// method follows and leaves only rounding.
-#[inline(always)]
-fn unwarp<const ANGLE_BITS: u32>(w: f32) -> f32 {
-    let u = w * w;
-    let v = w + w * ((1.0 - u) * (UNWARP_0 + u * (UNWARP_1 + u * UNWARP_2)));
-    if ANGLE_BITS <= 9 {
-        return v;
-    }
-    // The slope of `warp` is that of tan(pi v / 4) but for 0.26 %.
-    v + signed_quotient((w - warp(v)) * (core::f32::consts::FRAC_2_PI * 2.0), 1.0 + u)
-}
-
 /// The code of the angle of `tangent` about the decoded normal `n`.
 ///
 /// A tangent must have more of its L1 norm left in the plane than the part `parallel`, along both axes together. For one
@@ -226,29 +196,8 @@ fn angle_code<const ANGLE_BITS: u32>(n: Vec3, tangent: Vec3, parallel: f32) -> u
     let norm = l1_norm(tangent);
     let sum = x.abs() + y.abs();
     let usable = is_usable(norm) && sum > parallel * norm;
-
-    // Odd quarter turns are entered where |x| is 0: there the side runs from |y| to |x|.
-    let below = y.to_bits() & SIGN_BIT;
-    let odd = (x.to_bits() & SIGN_BIT) ^ below;
-    let w = signed_quotient(flip_sign(y.abs() - x.abs(), odd), sum);
-
-    let half_places = (1 << (ANGLE_BITS - 3)) as f32;
-    let place = half_places * (unwarp::<ANGLE_BITS>(w) + 1.0) + TWO_23;
-    let quarters = (below >> (32 - ANGLE_BITS)) | (odd >> (33 - ANGLE_BITS));
-    // The last place of a quarter is the first one of the next, and that of the last quarter code 0.
-    let code = quarters.wrapping_add(place.to_bits()) & mask(ANGLE_BITS);
+    let code = diamond_code::<ANGLE_BITS>(x, y, sum);
     if usable { code } else { 0 }
-}
-
-/// The place of an angle's code in the plane of the basis: a point of the diamond `|x| + |y| = 2`.
-#[inline(always)]
-fn diamond_point<const ANGLE_BITS: u32>(code: u32) -> Vec2 {
-    let place = (code & mask(ANGLE_BITS - 2)) as f32;
-    let v = place * exp2(3 - ANGLE_BITS as i32) - 1.0;
-    let odd = (code << (33 - ANGLE_BITS)) & SIGN_BIT;
-    let below = (code << (32 - ANGLE_BITS)) & SIGN_BIT;
-    let w = flip_sign(warp(v), odd);
-    Vec2::new(flip_sign(1.0 - w, odd ^ below), flip_sign(1.0 + w, below))
 }
 
 /// The tangent of an angle's code, about the decoded normal `n`: of unit length to within 2 ULP.
@@ -275,7 +224,7 @@ fn handedness(code: u32) -> f32 {
 }
 
 /// An upper bound of `sqrt(d^2 + e^2)`: steps of Heron's method from above stay above.
-const fn hypotenuse_bound(d: f32, e: f32) -> f32 {
+pub(crate) const fn hypotenuse_bound(d: f32, e: f32) -> f32 {
     let square = d * d + e * e;
     let first = d + e;
     let second = 0.5 * (first + ratio(square, first));
@@ -283,12 +232,10 @@ const fn hypotenuse_bound(d: f32, e: f32) -> f32 {
     0.5 * (third + ratio(square, third))
 }
 
-/// An upper bound of the tangent's error, in degrees. To the tilt and half a step comes the arithmetic: 0.4 % of half
-/// a step for [`unwarp`] at 9 bits, and 2^-22 radians for the basis, the products with it and the decoded tangent.
+/// An upper bound of the tangent's error, in degrees: the tilt, the angle's error in the plane, and 2^-22 radians for the
+/// arithmetic of the basis, the products with it and the decoded tangent.
 const fn tangent_error_bound(normal_error_deg: f32, angle_bits: u32) -> f32 {
-    let half_step = ratio(core::f32::consts::PI, (1u32 << angle_bits) as f32);
-    let angle = half_step * 1.0026 * if angle_bits <= 9 { 1.004 } else { 1.0 };
-    hypotenuse_bound(normal_error_deg, (angle + 1.0 / 4_194_304.0).to_degrees())
+    hypotenuse_bound(normal_error_deg, (diamond_error(angle_bits) + 1.0 / 4_194_304.0).to_degrees())
 }
 
 /// 32 bits: a normal of 22 ([`OctPrecise22`]), an angle of 9, the handedness.

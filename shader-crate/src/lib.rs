@@ -135,6 +135,7 @@ pub mod quat;
 pub mod slice;
 #[cfg(not(target_arch = "spirv"))]
 pub mod table;
+pub mod wrap;
 
 #[cfg(not(target_arch = "spirv"))]
 pub use angle::{angle_deg, rotation_angle_deg};
@@ -147,6 +148,9 @@ pub use glam;
 pub use list::*;
 #[doc(inline)]
 pub use quat::RotationCodec;
+pub use wrap::angle::{Angle, Angle8, Angle16, AngleCodec, EqualAngle, EqualAngle8, EqualAngle16};
+pub use wrap::axial::{Axial, Axial16, Axial24, Axial32};
+pub use wrap::with_length::{Vector32, Vector48, VectorBalanced32, WithLength};
 
 /// The traits, frames, and the types of all codecs. Unlike the crate itself it has no modules, and no [`glam`]: with
 /// `use unitvec::*` the name is ambiguous in programs that use a glam of their own.

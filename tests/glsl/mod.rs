@@ -63,7 +63,7 @@ fn assert_same_bits<R: Into<[f32; 3]>>(functions: &[(String, impl Fn([f32; 3]) -
 
 /// Fails where one of these functions gives other words in GLSL. The call is a uvec3 of the uvec3 `w` and of the vec3 `v` of the
 /// same bits. A shader has all calls, and gives a digest of their results: 31 times the digest before, and the next.
-fn assert_same_words(functions: &[(String, impl Fn([u32; 3]) -> [u32; 3])], inputs: &[[u32; 3]]) {
+pub fn assert_same_words(functions: &[(String, impl Fn([u32; 3]) -> [u32; 3])], inputs: &[[u32; 3]]) {
     let calls: Vec<&str> = functions.iter().map(|(call, _)| call.as_str()).collect();
     let digest = calls.iter().fold("uvec3(0u)".to_owned(), |all, call| format!("({all} * 31u + {call})"));
     for (input, result) in inputs.iter().zip(evaluate_words(&digest, inputs)) {

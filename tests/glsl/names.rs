@@ -7,8 +7,8 @@ use std::collections::BTreeSet;
 use unitvec_catalogue::{CODECS, Operation};
 use unitvec_tests::{glsl_families, repository};
 
-/// The functions besides projections: precise encoders, the survey's bytes, and null codes.
-const OTHERS: [(&str, &str); 14] = [
+/// The functions besides projections: precise encoders, the survey's bytes, null codes and lengths.
+const OTHERS: [(&str, &str); 17] = [
     ("oct.glsl", "float32x3_to_octn_precise"),
     ("eaoct.glsl", "float32x3_to_eaoctn_precise"),
     ("hemioct.glsl", "float32x3_to_hemioctn_precise"),
@@ -23,6 +23,23 @@ const OTHERS: [(&str, &str); 14] = [
     ("or_null.glsl", "vector_or_zero"),
     ("or_null.glsl", "code_or_null_wide"),
     ("or_null.glsl", "vector_or_zero_wide"),
+    ("with_length.glsl", "code_of_length"),
+    ("with_length.glsl", "length_of_code"),
+    ("with_length.glsl", "with_reach"),
+];
+
+/// The formats of the wrappers, which encode and decode as codecs do.
+const WRAPPERS: [&str; 10] = [
+    "axial16",
+    "axial24",
+    "axial32",
+    "angle8",
+    "angle16",
+    "eqangle8",
+    "eqangle16",
+    "vector32",
+    "vector32b",
+    "vector48",
 ];
 
 /// All public functions besides those of the codecs, and their files.
@@ -77,8 +94,9 @@ fn names(file: &str) -> Vec<Name> {
 #[test]
 fn helpers_have_the_prefix() {
     let of_codecs = CODECS.iter().flat_map(|format| Operation::ALL.map(|half| format.function(half)));
+    let of_wrappers = WRAPPERS.iter().flat_map(|id| ["encode", "decode"].map(|half| format!("{id}_{half}")));
     let public: BTreeSet<String> =
-        of_codecs.chain(besides_codecs().into_iter().map(|(_, name)| name)).collect();
+        of_codecs.chain(of_wrappers).chain(besides_codecs().into_iter().map(|(_, name)| name)).collect();
     let files = glsl_families().into_iter().chain(["arith.glsl".to_owned(), "unitvec.glsl".to_owned()]);
     let mut declared = BTreeSet::new();
     let mut bare = Vec::new();

@@ -61,7 +61,10 @@ pub fn glsl_families() -> BTreeSet<String> {
     CODECS
         .iter()
         .map(AnyCodec::glsl_file)
-        .chain(["dither.glsl", "formats.glsl", "or_null.glsl"].map(str::to_owned))
+        .chain(
+            ["dither.glsl", "formats.glsl", "or_null.glsl", "axial.glsl", "angle.glsl", "with_length.glsl"]
+                .map(str::to_owned),
+        )
         .collect()
 }
 

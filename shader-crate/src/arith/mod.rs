@@ -16,6 +16,7 @@ pub(crate) use coefficients;
 
 #[cfg(all(any(not(feature = "std"), test), not(target_arch = "spirv")))]
 mod bare;
+mod diamond;
 mod divide;
 mod elementary;
 #[cfg(any(test, target_arch = "spirv"))]
@@ -31,6 +32,7 @@ mod trig;
 mod two_float;
 mod vector;
 
+pub(crate) use diamond::{diamond_code, diamond_error, diamond_point};
 pub use divide::{inverse_root, over, quotient, ratio, reciprocal, root, signed_quotient};
 pub(crate) use divide::{inverse_root_near, snorm_quotient};
 use elementary::sqrt;
