@@ -52,8 +52,8 @@
 //! A tangent frame is a rotation and a mirror image or none: [`frame`](crate::frame) stores that.
 
 use crate::arith::{
-    coefficients, dot, floor, inverse_root, is_negative, mask, max, min, negate_if, quotient, ratio,
-    reciprocal, scale_to_one, signed_quotient, whole_to_u32,
+    NEGLIGIBLE, coefficients, dot, floor, inverse_root, is_negative, mask, max, min, negate_if, quotient,
+    ratio, reciprocal, scale_to_one, signed_quotient, whole_to_u32,
 };
 use crate::codec::{RawCode, Width, storage_bytes};
 use crate::direction::is_usable;
@@ -283,7 +283,9 @@ where
         let chart = chart_of(q);
         let turned = turn(q, chart);
         let scale = negate_if(is_negative(turned.x), reciprocal(turned.x.abs()));
-        let (point, grid) = nearest::<BITS>(Vec3::new(turned.y, turned.z, turned.w) * scale);
+        // No denormals, which devices may flush, tell one side of a cell from the other.
+        let kept = |c: f32| if c.abs() < NEGLIGIBLE { 0.0 } else { c };
+        let (point, grid) = nearest::<BITS>(each(Vec3::new(turned.y, turned.z, turned.w) * scale, kept));
 
         let (a, b, c) = (whole_to_u32(point.x), whole_to_u32(point.y), whole_to_u32(point.z));
         let above = (a >> low) + radix * ((b >> low) + radix * ((c >> low) + radix * (2 * chart + grid)));

@@ -11,7 +11,7 @@
 
 use super::{Model, Outcome, error_bound};
 use std::f64::consts::PI;
-use unitvec_catalogue::AnyCodec;
+use unitvec_catalogue::{AnyCodec, Element};
 
 /// 2^-23: a ULP of the numbers from 1 to 2.
 const UNIT: f64 = 1.0 / 8_388_608.0;
@@ -30,6 +30,8 @@ enum Encoder {
     Way(f64),
     /// A [`Way`](Self::Way) whose coordinate is a sum of two floats, of which only the second has the error.
     TwoFloats(f64),
+    /// The [`way`] to a coordinate of three, of a lattice that has the root of the third degree of all codes along each.
+    Space(f64),
     /// Parts of a step by which a coordinate may be off on either side.
     Steps(f64),
     /// The [`way`] to the distance of a code. For codes in nearly the same direction the last bit decides which is nearest:
@@ -52,6 +54,7 @@ pub struct Bounds {
     encoder: Encoder,
     decoder: Decoder,
     bits: u32,
+    element: Element,
     error_bound_deg: f64,
     /// True where codes come back from any two devices.
     pub is_stable: bool,
@@ -65,6 +68,7 @@ impl Bounds {
             encoder,
             decoder,
             bits: format.bits,
+            element: format.element,
             error_bound_deg: error_bound(format),
             is_stable: format.stable_across_devices,
         }
@@ -79,6 +83,8 @@ impl Bounds {
         let steps = 2f64.powi(self.bits as i32 / 2 - 1);
         let off = match self.encoder {
             Encoder::Way(error) => steps * error * UNIT,
+            // Three coordinates, whose cells have more faces, in as many halves of the cube's side.
+            Encoder::Space(error) => 2f64.powf(f64::from(self.bits) / 3.0) * error * UNIT,
             Encoder::TwoFloats(error) => steps * error * UNIT * UNIT,
             Encoder::Steps(part) => part,
             Encoder::Choice(_) => return None,
@@ -90,8 +96,11 @@ impl Bounds {
 
     /// The largest difference of a component, in 2^-24, and the largest angle, in degrees.
     pub fn decoded(&self) -> (f64, f64) {
-        // The components of two vectors are rounded, each by at most 2^-25.
-        let rounding = 3f64.sqrt() * UNIT / 2.0;
+        // The components of two elements are rounded, each by at most 2^-25. Rotations turn by twice the angle of quaternions.
+        let rounding = match self.element {
+            Element::Vector | Element::Frame => 3f64.sqrt() * UNIT / 2.0,
+            Element::Rotation => 2.0 * 4f64.sqrt() * UNIT / 2.0,
+        };
         // The inverse of a length.
         let factor = way(1, 1, 0);
         match self.decoder {
@@ -138,7 +147,7 @@ impl Bounds {
     /// of the coordinates, or of the distances of two candidates.
     fn error_part(&self) -> f64 {
         let off = match self.encoder {
-            Encoder::Way(error) | Encoder::TwoFloats(error) => PI * error,
+            Encoder::Way(error) | Encoder::TwoFloats(error) | Encoder::Space(error) => PI * error,
             Encoder::Choice(error) => 2.0 * error,
             Encoder::Steps(_) => 0.0,
         };
@@ -183,6 +192,8 @@ fn derivation(family: &str) -> (Encoder, Decoder) {
         // The normal's scale; basis, place on the diamond, and its warp. Decoding: the normal's length, basis, and that of
         // the tangent.
         "frame" => (Encoder::Way(way(3, 1, 0)), Decoder::Way(way(3, 2, 0))),
+        // The reciprocal of the largest component, the inverse warp and its step of Newton's method.
+        "quat" => (Encoder::Space(way(3, 0, 0)), Scaled),
         // Exact: a family that is missing here shows at once.
         _ => (Encoder::Way(exact), Decoder::Way(exact)),
     }

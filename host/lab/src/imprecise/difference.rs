@@ -2,7 +2,7 @@
 
 use super::Outcome;
 use crate::Result;
-use unitvec::angle_deg;
+use unitvec::{angle_deg, rotation_angle_deg};
 use unitvec_catalogue::{AnyCodec, Element};
 use unitvec_run::backend::{Backend, Cpu};
 
@@ -50,19 +50,24 @@ pub(super) fn bits_differ(a: &[f32], b: &[f32]) -> bool {
     a.iter().zip(b).any(|(a, b)| a.to_bits() != b.to_bits())
 }
 
-/// The angles between elements, degrees: of each the angle of the vectors, or those of normals and of tangents.
+/// The angles between elements, degrees: of each the angle of the vectors or rotations, or those of normals and of tangents.
 fn angles<'a>(element: Element, a: &'a [f32], b: &'a [f32]) -> impl Iterator<Item = f64> + 'a {
-    let vector = |of: &[f32], at: usize| [of[at], of[at + 1], of[at + 2]];
+    let each = element.part_floats();
     let pairs = a.chunks_exact(element.floats()).zip(b.chunks_exact(element.floats()));
     pairs.flat_map(move |(a, b)| {
-        let angle =
-            move |at| if bits_differ(a, b) { angle_or_all(vector(a, at), vector(b, at)) } else { 0.0 };
-        (0..element.directions().len()).map(move |i| angle(3 * i))
+        let parts = a.chunks_exact(each).zip(b.chunks_exact(each)).take(element.directions().len());
+        parts.map(move |(of_a, of_b)| if bits_differ(a, b) { angle_or_all(of_a, of_b) } else { 0.0 })
     })
 }
 
 /// The angle in degrees; 180 where there is none.
-fn angle_or_all(a: [f32; 3], b: [f32; 3]) -> f64 {
-    let angle = angle_deg(a, b);
+fn angle_or_all(a: &[f32], b: &[f32]) -> f64 {
+    let angle = match (a, b) {
+        (&[x, y, z, w], &[to_x, to_y, to_z, to_w]) => {
+            rotation_angle_deg([x, y, z, w], [to_x, to_y, to_z, to_w])
+        }
+        (&[x, y, z], &[to_x, to_y, to_z]) => angle_deg([x, y, z], [to_x, to_y, to_z]),
+        _ => f64::NAN,
+    };
     if angle.is_nan() { 180.0 } else { angle }
 }
