@@ -16,34 +16,20 @@
 precision highp float;
 precision highp int;
 
-float unitvec_angle_norm(vec2 v) {
+uint unitvec_angle_encode(vec2 v, uint bits, bool equal) {
     UNITVEC_PRECISE float sum = abs(v.x) + abs(v.y);
-    return sum;
-}
-
-// x, or +0 for zeros.
-float unitvec_angle_positive_zero(float x) {
-    return abs(x) > 0.0 ? x : 0.0;
-}
-
-uint unitvec_angle_encode(vec2 v, uint bits) {
-    float sum = unitvec_angle_norm(v);
-    uint code = unitvec_diamond_code(v.x, v.y, sum, bits);
+    // Half a turn and its opposite, the largest number and the least, have the same low bits.
+    UNITVEC_PRECISE float place = unitvec_atan2_half_turns(v.y, v.x) * unitvec_exp2(int(bits) - 1);
+    uint code = equal ? unitvec_nearest_code(place, bits) : unitvec_diamond_code(v.x, v.y, sum, bits);
     return unitvec_is_usable(sum) ? code : 0u;
 }
 
 vec2 unitvec_angle_decode(uint code, uint bits) {
     vec2 p = unitvec_diamond_point(code, bits);
     UNITVEC_PRECISE float square = p.x * p.x + p.y * p.y;
-    UNITVEC_PRECISE vec2 unit = p * unitvec_inverse_root(square);
-    return vec2(unitvec_angle_positive_zero(unit.x), unitvec_angle_positive_zero(unit.y));
-}
-
-uint unitvec_eqangle_encode(vec2 v, uint bits) {
-    UNITVEC_PRECISE float place = unitvec_atan2_half_turns(v.y, v.x) * unitvec_exp2(int(bits) - 1);
-    // Half a turn and its opposite, the largest number and the least, have the same low bits.
-    uint code = unitvec_nearest_code(place, bits);
-    return unitvec_is_usable(unitvec_angle_norm(v)) ? code : 0u;
+    UNITVEC_PRECISE vec2 v = p * unitvec_inverse_root(square);
+    // -0 becomes 0.
+    return vec2(abs(v.x) > 0.0 ? v.x : 0.0, abs(v.y) > 0.0 ? v.y : 0.0);
 }
 
 vec2 unitvec_eqangle_decode(uint code, uint bits) {
@@ -51,10 +37,10 @@ vec2 unitvec_eqangle_decode(uint code, uint bits) {
     return unitvec_sin_cos_half_turns(half_turns);
 }
 
-uint angle8_encode(vec2 v) { return unitvec_angle_encode(v, 8u); }
-uint angle16_encode(vec2 v) { return unitvec_angle_encode(v, 16u); }
-uint eqangle8_encode(vec2 v) { return unitvec_eqangle_encode(v, 8u); }
-uint eqangle16_encode(vec2 v) { return unitvec_eqangle_encode(v, 16u); }
+uint angle8_encode(vec2 v) { return unitvec_angle_encode(v, 8u, false); }
+uint angle16_encode(vec2 v) { return unitvec_angle_encode(v, 16u, false); }
+uint eqangle8_encode(vec2 v) { return unitvec_angle_encode(v, 8u, true); }
+uint eqangle16_encode(vec2 v) { return unitvec_angle_encode(v, 16u, true); }
 
 vec2 angle8_decode(uint code) { return unitvec_angle_decode(code, 8u); }
 vec2 angle16_decode(uint code) { return unitvec_angle_decode(code, 16u); }

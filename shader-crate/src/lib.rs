@@ -74,7 +74,9 @@
 //! * numbered points: [`ico`], the lattice of an icosahedron; [`hexcube`], those of a cube, cheaper; [`fib`], spherical Fibonacci points;
 //! * angles: [`spherical`]; [`spherical_wide`], finer than `f32`; [`cylindrical`]; [`latlong`];
 //! * projections: [`azimuthal`] (stereographic, equal-area, equidistant), [`cube`], [`parallel`];
-//! * components: [`snorm`], [`unorm`], [`float`](mod@float), [`best_fit`].
+//! * components: [`snorm`], [`unorm`], [`float`](mod@float), [`best_fit`];
+//! * for axes [`axial`](wrap::axial), for the plane [`angle`](wrap::angle), for vectors of any length
+//!   [`with_length`](wrap::with_length).
 //!
 //! For textures, render targets and vertex attributes: [`formats`] has the values of codes in Vulkan's formats, and the
 //! octahedral, spherical, cylindrical and azimuthal families have `project` and `unproject` for formats to which the
@@ -148,7 +150,7 @@ pub use glam;
 pub use list::*;
 #[doc(inline)]
 pub use quat::RotationCodec;
-pub use wrap::angle::{Angle, Angle8, Angle16, AngleCodec, EqualAngle, EqualAngle8, EqualAngle16};
+pub use wrap::angle::{Angle, Angle8, Angle16, EqualAngle8, EqualAngle16};
 pub use wrap::axial::{Axial, Axial16, Axial24, Axial32};
 pub use wrap::with_length::{Vector32, Vector48, VectorBalanced32, WithLength};
 

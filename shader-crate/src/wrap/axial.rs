@@ -31,30 +31,6 @@ use crate::hemioct::{HemiOct, HemiOctPrecise};
 use core::marker::PhantomData;
 use glam::Vec3;
 
-/// A codec of the hemisphere z >= 0, equator included.
-pub trait HalfSphere: Codec {
-    /// `code`, or that of the opposite direction if `code` is one of the equator with x < 0, or with x = 0 and y < 0.
-    /// Unspecified for codes that `encode` never writes.
-    #[must_use]
-    fn one_of_two(code: Self::Code) -> Self::Code;
-}
-
-impl<const BITS: u32> HalfSphere for HemiOctPrecise<BITS>
-where
-    HemiOct<BITS>: Width,
-{
-    /// The equator is the border of the square, where one of x + y and x - y is m or -m. Of its ends, the one sought has m as
-    /// the first or, unless the first is -m, as the second.
-    #[inline(always)]
-    fn one_of_two(code: u32) -> u32 {
-        let (half, most, whole) = (BITS / 2, mask(BITS / 2 - 1), mask(BITS / 2));
-        let least = whole - most + 1;
-        let (u, v) = (code & whole, code >> half);
-        let opposite = (0u32.wrapping_sub(u) & whole) | ((0u32.wrapping_sub(v) & whole) << half);
-        if u == least || (v == least && u != most) { opposite } else { code }
-    }
-}
-
 /// The end of the axis of `v` whose first component that is not 0, of z, x and y, is positive. Denormals count as 0.
 #[inline(always)]
 fn end(v: Vec3) -> Vec3 {
@@ -63,7 +39,20 @@ fn end(v: Vec3) -> Vec3 {
     if is_negative(if counts(v.z) { v.z } else { horizontal }) { -v } else { v }
 }
 
-/// The codec `C` of a hemisphere, for axes: v and -v get the same code.
+/// `code` of `bits` bits, or that of the opposite direction if it is one of the equator with x < 0, or with x = 0 and y < 0.
+///
+/// The equator is the border of the square, where one of x + y and x - y is m or -m. Of its ends, the one sought has m as the
+/// first or, unless the first is -m, as the second.
+#[inline(always)]
+fn one_of_two(code: u32, bits: u32) -> u32 {
+    let (half, most, whole) = (bits / 2, mask(bits / 2 - 1), mask(bits / 2));
+    let least = whole - most + 1;
+    let (u, v) = (code & whole, code >> half);
+    let opposite = (0u32.wrapping_sub(u) & whole) | ((0u32.wrapping_sub(v) & whole) << half);
+    if u == least || (v == least && u != most) { opposite } else { code }
+}
+
+/// The codec `C` of a hemisphere, [`HemiOctPrecise`] of 16, 24 or 32 bits, for axes: v and -v get the same code.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Axial<C>(PhantomData<C>);
 
@@ -74,23 +63,23 @@ pub type Axial24 = Axial<HemiOctPrecise<24>>;
 /// Axes in 32 bits: at most 0.00218 degrees off.
 pub type Axial32 = Axial<HemiOctPrecise<32>>;
 
-impl<C: HalfSphere> Codec for Axial<C> {
-    const BITS: u32 = C::BITS;
+impl<const BITS: u32> Codec for Axial<HemiOctPrecise<BITS>>
+where
+    HemiOct<BITS>: Width,
+{
+    const BITS: u32 = BITS;
     /// The bound of the angle between the axes, which is 90 degrees at most.
-    const MAX_ERROR_DEG: f32 = C::MAX_ERROR_DEG;
-    const IS_UNIT: bool = C::IS_UNIT;
-    const EXACT_AXES: bool = C::EXACT_AXES;
-    const STABLE_ACROSS_DEVICES: bool = C::STABLE_ACROSS_DEVICES;
-    const NULL: Option<[u32; 2]> = C::NULL;
-    type Code = C::Code;
+    const MAX_ERROR_DEG: f32 = HemiOct::<BITS>::MAX_ERROR_DEG;
+    const NULL: Option<[u32; 2]> = HemiOct::<BITS>::NULL;
+    type Code = u32;
 
     #[inline(always)]
-    fn encode_vec3(v: Vec3) -> C::Code {
-        C::one_of_two(C::encode_vec3(end(v)))
+    fn encode_vec3(v: Vec3) -> u32 {
+        one_of_two(HemiOctPrecise::<BITS>::encode_vec3(end(v)), BITS)
     }
 
     #[inline(always)]
-    fn decode_vec3(code: C::Code) -> Vec3 {
-        C::decode_vec3(code)
+    fn decode_vec3(code: u32) -> Vec3 {
+        HemiOct::<BITS>::decode_vec3(code)
     }
 }
