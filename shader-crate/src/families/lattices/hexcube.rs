@@ -11,8 +11,8 @@
 //! lower and the same maximum, but takes a long polynomial each way and coordinate.
 //!
 //! The points of a face have a row j and a column i. Row 0 goes through the face's middle, and has a point there; every
-//! other row is moved by half a column. In steps of the rows, the edges v = -1 and 1 lie 13/32 beyond the last ones (15/32
-//! at 16 bits); in columns, the edges u = -1 and 1 lie 1/32 beyond the last points of every other row (1/16). So each
+//! other row is moved by half a column. In steps of the rows, the edges v = -1 and 1 lie 13/32 beyond the last ones (17/32
+//! at 16 bits); in columns, the edges u = -1 and 1 lie 1/64 beyond the last points of every other row (1/16). So each
 //! direction has a near point on its own face, and none of the neighbours' need be looked at.
 //!
 //! | | rows | columns, each other row one less | points |
@@ -70,9 +70,9 @@ const SIDE: f32 = 0.3125;
 coefficients! {
     /// Coefficients of `s = u v (SHEAR_0 - SHEAR_1 u)`, in columns for a pair of rows: fitted so that the greatest error
     /// is least, errors near the largest cells counting most.
-    SHEAR_0 = 1.0770, SHEAR_1 = 0.2198;
+    SHEAR_0 = 1.077, SHEAR_1 = 0.2198;
     /// Coefficients of `q = (HEIGHT_0 - u)^2 (HEIGHT_1 + HEIGHT_2 v) + HEIGHT_3`, fitted alike.
-    HEIGHT_0 = 1.68, HEIGHT_1 = 0.4048, HEIGHT_2 = 1.5427, HEIGHT_3 = 1.3013;
+    HEIGHT_0 = 1.6427, HEIGHT_1 = 0.4367, HEIGHT_2 = 1.6323, HEIGHT_3 = 1.2677;
 }
 
 /// The lattice of a width.
@@ -197,9 +197,9 @@ pub struct HexCube<const BITS: u32>;
 
 impl<const BITS: u32> HexCube<BITS> {
     const LATTICE: Lattice = match BITS {
-        16 => Lattice { columns: 96, rows: 56, across: 96.125, along: 56.46875 },
-        24 => Lattice { columns: 1548, rows: 902, across: 1548.0625, along: 902.40625 },
-        32 => Lattice { columns: 24778, rows: 14444, across: 24778.0625, along: 14444.40625 },
+        16 => Lattice { columns: 96, rows: 56, across: 96.125, along: 56.53125 },
+        24 => Lattice { columns: 1548, rows: 902, across: 1548.03125, along: 902.40625 },
+        32 => Lattice { columns: 24778, rows: 14444, across: 24778.03125, along: 14444.40625 },
         _ => panic!("no constants for this width"),
     };
 }
@@ -210,9 +210,9 @@ where
 {
     const BITS: u32 = BITS;
     const MAX_ERROR_DEG: f32 = match BITS {
-        16 => 0.5535,
-        24 => 0.03348,
-        32 => 0.002_105,
+        16 => 0.556,
+        24 => 0.03351,
+        32 => 0.002_102_5,
         _ => panic!("no constants for this width"),
     };
     const NULL: Option<[u32; 2]> = Some([!0 >> (32 - BITS), 0]); // past the last point
