@@ -43,6 +43,7 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -174,6 +175,12 @@ bool unitvec_is_usable(float l1_norm) {
     return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
 }
 #endif
+#ifndef UNITVEC_HAS_NEGATE_POSITIVE
+#define UNITVEC_HAS_NEGATE_POSITIVE
+float unitvec_negate_positive(bool negative, float x) {
+    return unitvec_negate_if(negative && x > 0.0, x);
+}
+#endif
 #ifndef UNITVEC_HAS_SNORM_RECIPROCAL
 #define UNITVEC_HAS_SNORM_RECIPROCAL
 float unitvec_snorm_reciprocal(uint bits) {
@@ -189,10 +196,16 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 #endif
-#ifndef UNITVEC_HAS_NEGATE_POSITIVE
-#define UNITVEC_HAS_NEGATE_POSITIVE
-float unitvec_negate_positive(bool negative, float x) {
-    return unitvec_negate_if(negative && x > 0.0, x);
+#ifndef UNITVEC_HAS_IS_NAN
+#define UNITVEC_HAS_IS_NAN
+bool unitvec_is_nan(float x) {
+    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
+}
+#endif
+#ifndef UNITVEC_HAS_FLIP_SIGN
+#define UNITVEC_HAS_FLIP_SIGN
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
 #ifndef UNITVEC_HAS_ROOT
@@ -206,16 +219,16 @@ float unitvec_root(float x) {
 #endif
 }
 #endif
-#ifndef UNITVEC_HAS_IS_NAN
-#define UNITVEC_HAS_IS_NAN
-bool unitvec_is_nan(float x) {
-    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
-}
+#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
+#define UNITVEC_HAS_SIGNED_QUOTIENT
+float unitvec_signed_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
+    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
 #endif
-#ifndef UNITVEC_HAS_FLIP_SIGN
-#define UNITVEC_HAS_FLIP_SIGN
-float unitvec_flip_sign(float x, uint sign_bit) {
-    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
 #ifndef UNITVEC_HAS_SNORM_CLAMP
@@ -230,18 +243,6 @@ vec2 unitvec_biased(vec2 e) {
 vec2 unitvec_unbiased(vec2 e) {
     UNITVEC_PRECISE vec2 on_snorm = e * 2.0 - 1.0;
     return on_snorm;
-}
-#endif
-#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
-#define UNITVEC_HAS_SIGNED_QUOTIENT
-float unitvec_signed_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
-    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
 }
 #endif
 #ifndef UNITVEC_HAS_OR_Z
@@ -262,12 +263,6 @@ const float UNITVEC_COS_2 = -1.3347237;
 const float UNITVEC_COS_3 = 0.22859502;
 const float UNITVEC_PI = 3.1415927;
 #endif
-#ifndef UNITVEC_HAS_SNORM_INTEGER
-#define UNITVEC_HAS_SNORM_INTEGER
-float unitvec_snorm_integer(uint code, uint bits) {
-    return unitvec_snorm_field(code, 0u, bits);
-}
-#endif
 #ifndef UNITVEC_HAS_SIN_EIGHTH
 #define UNITVEC_HAS_SIN_EIGHTH
 float unitvec_sin_eighth(float r) {
@@ -281,6 +276,12 @@ float unitvec_cos_eighth(float r) {
     UNITVEC_PRECISE float low = UNITVEC_COS_0 + u * (UNITVEC_COS_1 + u * (UNITVEC_COS_2 + u * UNITVEC_COS_3));
     UNITVEC_PRECISE float cosine = 1.0 + u * low;
     return cosine;
+}
+#endif
+#ifndef UNITVEC_HAS_SNORM_INTEGER
+#define UNITVEC_HAS_SNORM_INTEGER
+float unitvec_snorm_integer(uint code, uint bits) {
+    return unitvec_snorm_field(code, 0u, bits);
 }
 #endif
 #ifndef UNITVEC_HAS_ATAN_0
@@ -304,6 +305,12 @@ float unitvec_atan_octant_of_normal(float r) {
     return octants;
 }
 #endif
+#ifndef UNITVEC_HAS_ATAN_OCTANT
+#define UNITVEC_HAS_ATAN_OCTANT
+float unitvec_atan_octant(float r) {
+    return unitvec_atan_octant_of_normal(r < UNITVEC_NEGLIGIBLE ? 0.0 : r);
+}
+#endif
 #ifndef UNITVEC_HAS_HORIZONTAL_LENGTH
 #define UNITVEC_HAS_HORIZONTAL_LENGTH
 float unitvec_horizontal_length(vec3 v) {
@@ -311,10 +318,12 @@ float unitvec_horizontal_length(vec3 v) {
     return unitvec_root(square);
 }
 #endif
-#ifndef UNITVEC_HAS_ATAN_OCTANT
-#define UNITVEC_HAS_ATAN_OCTANT
-float unitvec_atan_octant(float r) {
-    return unitvec_atan_octant_of_normal(r < UNITVEC_NEGLIGIBLE ? 0.0 : r);
+#ifndef UNITVEC_HAS_ATAN_OCTANT_RATIO
+#define UNITVEC_HAS_ATAN_OCTANT_RATIO
+float unitvec_atan_octant_ratio(float y, float x) {
+    float divided = unitvec_quotient(y, x);
+    float quotient = y < x ? divided : 1.0;
+    return unitvec_atan_octant(y < UNITVEC_MIN_POSITIVE ? 0.0 : quotient);
 }
 #endif
 #ifndef UNITVEC_HAS_SIGNED_CODE
@@ -329,14 +338,8 @@ bool unitvec_is_set(float x) {
     return x >= 0.5 && !unitvec_is_nan(x);
 }
 #endif
-#ifndef UNITVEC_HAS_ATAN_OCTANT_RATIO
-#define UNITVEC_HAS_ATAN_OCTANT_RATIO
-float unitvec_atan_octant_ratio(float y, float x) {
-    float divided = unitvec_quotient(y, x);
-    float quotient = y < x ? divided : 1.0;
-    return unitvec_atan_octant(y < UNITVEC_MIN_POSITIVE ? 0.0 : quotient);
-}
-#endif
+#ifndef UNITVEC_HAS_ENORMOUS
+#define UNITVEC_HAS_ENORMOUS
 const float UNITVEC_ENORMOUS = 1.2676506002282294e30;
 vec2 unitvec_sin_cos_half_turns(float t) {
     float a = unitvec_is_within(abs(t), UNITVEC_NEGLIGIBLE, UNITVEC_ENORMOUS) ? abs(t) : 0.0;
@@ -356,6 +359,7 @@ vec2 unitvec_sin_cos_half_turns(float t) {
     bool below = unitvec_is_negative(t) != (turn > 1.0);
     return vec2(unitvec_negate_if(halved > 0.5, x), unitvec_negate_positive(below, y));
 }
+#endif
 
 // The projections, and the maps of the disk to the square.
 const int UNITVEC_STEREO = 0;

@@ -37,6 +37,7 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -168,6 +169,18 @@ bool unitvec_is_usable(float l1_norm) {
     return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
 }
 #endif
+#ifndef UNITVEC_HAS_SCALE_TO_ONE
+#define UNITVEC_HAS_SCALE_TO_ONE
+float unitvec_scale_to_one(float l1_norm) {
+    return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
+}
+#endif
+#ifndef UNITVEC_HAS_NEGATE_POSITIVE
+#define UNITVEC_HAS_NEGATE_POSITIVE
+float unitvec_negate_positive(bool negative, float x) {
+    return unitvec_negate_if(negative && x > 0.0, x);
+}
+#endif
 #ifndef UNITVEC_HAS_SNORM_RECIPROCAL
 #define UNITVEC_HAS_SNORM_RECIPROCAL
 float unitvec_snorm_reciprocal(uint bits) {
@@ -183,16 +196,11 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 #endif
-#ifndef UNITVEC_HAS_SCALE_TO_ONE
-#define UNITVEC_HAS_SCALE_TO_ONE
-float unitvec_scale_to_one(float l1_norm) {
-    return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
-}
-#endif
-#ifndef UNITVEC_HAS_NEGATE_POSITIVE
-#define UNITVEC_HAS_NEGATE_POSITIVE
-float unitvec_negate_positive(bool negative, float x) {
-    return unitvec_negate_if(negative && x > 0.0, x);
+#ifndef UNITVEC_HAS_NORMALIZE
+#define UNITVEC_HAS_NORMALIZE
+vec3 unitvec_normalize(vec3 v) {
+    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
+    return n;
 }
 #endif
 #ifndef UNITVEC_HAS_SNORM_QUOTIENT
@@ -204,13 +212,6 @@ float unitvec_snorm_quotient(float x, uint bits) {
     UNITVEC_PRECISE float quotient = x / unitvec_snorm_max(bits);
     return quotient;
 #endif
-}
-#endif
-#ifndef UNITVEC_HAS_NORMALIZE
-#define UNITVEC_HAS_NORMALIZE
-vec3 unitvec_normalize(vec3 v) {
-    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
-    return n;
 }
 #endif
 #ifndef UNITVEC_HAS_OR_Z
@@ -256,6 +257,12 @@ float unitvec_atan_octant_of_normal(float r) {
     return octants;
 }
 #endif
+#ifndef UNITVEC_HAS_ATAN_OCTANT
+#define UNITVEC_HAS_ATAN_OCTANT
+float unitvec_atan_octant(float r) {
+    return unitvec_atan_octant_of_normal(r < UNITVEC_NEGLIGIBLE ? 0.0 : r);
+}
+#endif
 #ifndef UNITVEC_HAS_UPPER_HALF
 #define UNITVEC_HAS_UPPER_HALF
 float unitvec_upper_half(float x) {
@@ -269,12 +276,6 @@ float unitvec_product_rest(float a, float b, float product) {
     UNITVEC_PRECISE float rest =
         (((a_upper * b_upper - product) + a_upper * b_lower) + a_lower * b_upper) + a_lower * b_lower;
     return rest;
-}
-#endif
-#ifndef UNITVEC_HAS_ATAN_OCTANT
-#define UNITVEC_HAS_ATAN_OCTANT
-float unitvec_atan_octant(float r) {
-    return unitvec_atan_octant_of_normal(r < UNITVEC_NEGLIGIBLE ? 0.0 : r);
 }
 #endif
 #ifndef UNITVEC_HAS_SIGNED_CODE

@@ -40,6 +40,7 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -171,9 +172,12 @@ bool unitvec_is_usable(float l1_norm) {
     return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
 }
 #endif
-#ifndef UNITVEC_HAS_ONE_AND_A_HALF_2_23
-#define UNITVEC_HAS_ONE_AND_A_HALF_2_23
-const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+#ifndef UNITVEC_HAS_NEAREST_CODE
+#define UNITVEC_HAS_NEAREST_CODE
+uint unitvec_nearest_code(float x, uint bits) {
+    UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
+    return floatBitsToUint(sum) & unitvec_mask(bits);
+}
 #endif
 #ifndef UNITVEC_HAS_SCALE_TO_ONE
 #define UNITVEC_HAS_SCALE_TO_ONE
@@ -187,11 +191,29 @@ float unitvec_negate_positive(bool negative, float x) {
     return unitvec_negate_if(negative && x > 0.0, x);
 }
 #endif
-#ifndef UNITVEC_HAS_NEAREST_CODE
-#define UNITVEC_HAS_NEAREST_CODE
-uint unitvec_nearest_code(float x, uint bits) {
-    UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
-    return floatBitsToUint(sum) & unitvec_mask(bits);
+#ifndef UNITVEC_HAS_NORMALIZE
+#define UNITVEC_HAS_NORMALIZE
+vec3 unitvec_normalize(vec3 v) {
+    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
+    return n;
+}
+#endif
+#ifndef UNITVEC_HAS_WITH_SIGN
+#define UNITVEC_HAS_WITH_SIGN
+float unitvec_with_sign(float magnitude, float y) {
+    return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
+}
+#endif
+#ifndef UNITVEC_HAS_IS_NAN
+#define UNITVEC_HAS_IS_NAN
+bool unitvec_is_nan(float x) {
+    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
+}
+#endif
+#ifndef UNITVEC_HAS_FLIP_SIGN
+#define UNITVEC_HAS_FLIP_SIGN
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
 #ifndef UNITVEC_HAS_ROOT
@@ -205,46 +227,9 @@ float unitvec_root(float x) {
 #endif
 }
 #endif
-#ifndef UNITVEC_HAS_IS_NAN
-#define UNITVEC_HAS_IS_NAN
-bool unitvec_is_nan(float x) {
-    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
-}
-#endif
-#ifndef UNITVEC_HAS_WITH_SIGN
-#define UNITVEC_HAS_WITH_SIGN
-float unitvec_with_sign(float magnitude, float y) {
-    return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
-}
-#endif
-#ifndef UNITVEC_HAS_FLIP_SIGN
-#define UNITVEC_HAS_FLIP_SIGN
-float unitvec_flip_sign(float x, uint sign_bit) {
-    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
-}
-#endif
-#ifndef UNITVEC_HAS_NORMALIZE
-#define UNITVEC_HAS_NORMALIZE
-vec3 unitvec_normalize(vec3 v) {
-    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
-    return n;
-}
-#endif
 #ifndef UNITVEC_HAS_2_23
 #define UNITVEC_HAS_2_23
 const float UNITVEC_2_23 = 8388608.0;
-#endif
-#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
-#define UNITVEC_HAS_SIGNED_QUOTIENT
-float unitvec_signed_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
-    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
-}
 #endif
 #ifndef UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
 #define UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
@@ -291,23 +276,16 @@ vec2 unitvec_snorm_integers(uint code, uint bits) {
     return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
 }
 #endif
-#ifndef UNITVEC_HAS_TURN_0
-#define UNITVEC_HAS_TURN_0
-const float UNITVEC_TURN_0 = 0.6366193;
-const float UNITVEC_TURN_1 = -0.21218449;
-const float UNITVEC_TURN_2 = 0.12698378;
-const float UNITVEC_TURN_3 = -0.088545084;
-const float UNITVEC_TURN_4 = 0.061384138;
-const float UNITVEC_TURN_5 = -0.035594895;
-const float UNITVEC_TURN_6 = 0.013918393;
-const float UNITVEC_TURN_7 = -0.002581218;
-float unitvec_atan_quarter(float q) {
-    UNITVEC_PRECISE float u = q * q;
-    UNITVEC_PRECISE float w = u * u;
-    UNITVEC_PRECISE float even = UNITVEC_TURN_0 + w * (UNITVEC_TURN_2 + w * (UNITVEC_TURN_4 + w * UNITVEC_TURN_6));
-    UNITVEC_PRECISE float odd = UNITVEC_TURN_1 + w * (UNITVEC_TURN_3 + w * (UNITVEC_TURN_5 + w * UNITVEC_TURN_7));
-    UNITVEC_PRECISE float turn = q * (even + u * odd);
-    return turn;
+#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
+#define UNITVEC_HAS_SIGNED_QUOTIENT
+float unitvec_signed_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
+    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
 }
 #endif
 #ifndef UNITVEC_HAS_SIN_0
@@ -342,6 +320,25 @@ vec2 unitvec_oct_unpack_unorm8x3(uint code) {
 }
 vec2 unitvec_oct_unpack(uint code, uint bits) {
     return bits == 24u ? unitvec_oct_unpack_unorm8x3(code) : unitvec_snorm_integers(code, bits / 2u);
+}
+#endif
+#ifndef UNITVEC_HAS_TURN_0
+#define UNITVEC_HAS_TURN_0
+const float UNITVEC_TURN_0 = 0.6366193;
+const float UNITVEC_TURN_1 = -0.21218449;
+const float UNITVEC_TURN_2 = 0.12698378;
+const float UNITVEC_TURN_3 = -0.088545084;
+const float UNITVEC_TURN_4 = 0.061384138;
+const float UNITVEC_TURN_5 = -0.035594895;
+const float UNITVEC_TURN_6 = 0.013918393;
+const float UNITVEC_TURN_7 = -0.002581218;
+float unitvec_atan_quarter(float q) {
+    UNITVEC_PRECISE float u = q * q;
+    UNITVEC_PRECISE float w = u * u;
+    UNITVEC_PRECISE float even = UNITVEC_TURN_0 + w * (UNITVEC_TURN_2 + w * (UNITVEC_TURN_4 + w * UNITVEC_TURN_6));
+    UNITVEC_PRECISE float odd = UNITVEC_TURN_1 + w * (UNITVEC_TURN_3 + w * (UNITVEC_TURN_5 + w * UNITVEC_TURN_7));
+    UNITVEC_PRECISE float turn = q * (even + u * odd);
+    return turn;
 }
 #endif
 #ifndef UNITVEC_HAS_SIN_EIGHTH
@@ -400,14 +397,6 @@ vec2 unitvec_hemioct_position(vec3 v, float norm, float m) {
     return e;
 }
 #endif
-#ifndef UNITVEC_HAS_OCT_POSITION
-#define UNITVEC_HAS_OCT_POSITION
-vec2 unitvec_oct_position(vec3 v, float norm, float m) {
-    float below = max(-v.z, 0.0);
-    UNITVEC_PRECISE vec2 p = (abs(v.xy) + below) * unitvec_over(m, norm);
-    return unitvec_oct_mirror(v, p);
-}
-#endif
 #ifndef UNITVEC_HAS_HEMIOCT_NORMS
 #define UNITVEC_HAS_HEMIOCT_NORMS
 vec2 unitvec_hemioct_norms(vec3 v) {
@@ -423,6 +412,14 @@ vec3 unitvec_hemioct_from_lattice(vec2 e, float m) {
     UNITVEC_PRECISE vec2 p = vec2(e.x + e.y, e.x - e.y);
     UNITVEC_PRECISE float z = 2.0 * (m - max(abs(e.x), abs(e.y)));
     return unitvec_normalize_octahedral(vec3(p, z), m, m + 1.0);
+}
+#endif
+#ifndef UNITVEC_HAS_OCT_POSITION
+#define UNITVEC_HAS_OCT_POSITION
+vec2 unitvec_oct_position(vec3 v, float norm, float m) {
+    float below = max(-v.z, 0.0);
+    UNITVEC_PRECISE vec2 p = (abs(v.xy) + below) * unitvec_over(m, norm);
+    return unitvec_oct_mirror(v, p);
 }
 #endif
 #ifndef UNITVEC_HAS_EAOCT_LEAST

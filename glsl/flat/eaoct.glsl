@@ -41,6 +41,7 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -172,6 +173,25 @@ bool unitvec_is_usable(float l1_norm) {
     return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
 }
 #endif
+#ifndef UNITVEC_HAS_NEAREST_CODE
+#define UNITVEC_HAS_NEAREST_CODE
+uint unitvec_nearest_code(float x, uint bits) {
+    UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
+    return floatBitsToUint(sum) & unitvec_mask(bits);
+}
+#endif
+#ifndef UNITVEC_HAS_SCALE_TO_ONE
+#define UNITVEC_HAS_SCALE_TO_ONE
+float unitvec_scale_to_one(float l1_norm) {
+    return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
+}
+#endif
+#ifndef UNITVEC_HAS_NEGATE_POSITIVE
+#define UNITVEC_HAS_NEGATE_POSITIVE
+float unitvec_negate_positive(bool negative, float x) {
+    return unitvec_negate_if(negative && x > 0.0, x);
+}
+#endif
 #ifndef UNITVEC_HAS_SNORM_RECIPROCAL
 #define UNITVEC_HAS_SNORM_RECIPROCAL
 float unitvec_snorm_reciprocal(uint bits) {
@@ -187,27 +207,22 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 #endif
-#ifndef UNITVEC_HAS_ONE_AND_A_HALF_2_23
-#define UNITVEC_HAS_ONE_AND_A_HALF_2_23
-const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
-#endif
-#ifndef UNITVEC_HAS_SCALE_TO_ONE
-#define UNITVEC_HAS_SCALE_TO_ONE
-float unitvec_scale_to_one(float l1_norm) {
-    return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
+#ifndef UNITVEC_HAS_WITH_SIGN
+#define UNITVEC_HAS_WITH_SIGN
+float unitvec_with_sign(float magnitude, float y) {
+    return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
 }
 #endif
-#ifndef UNITVEC_HAS_NEGATE_POSITIVE
-#define UNITVEC_HAS_NEGATE_POSITIVE
-float unitvec_negate_positive(bool negative, float x) {
-    return unitvec_negate_if(negative && x > 0.0, x);
+#ifndef UNITVEC_HAS_IS_NAN
+#define UNITVEC_HAS_IS_NAN
+bool unitvec_is_nan(float x) {
+    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
 }
 #endif
-#ifndef UNITVEC_HAS_NEAREST_CODE
-#define UNITVEC_HAS_NEAREST_CODE
-uint unitvec_nearest_code(float x, uint bits) {
-    UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
-    return floatBitsToUint(sum) & unitvec_mask(bits);
+#ifndef UNITVEC_HAS_FLIP_SIGN
+#define UNITVEC_HAS_FLIP_SIGN
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
 #ifndef UNITVEC_HAS_ROOT
@@ -221,23 +236,9 @@ float unitvec_root(float x) {
 #endif
 }
 #endif
-#ifndef UNITVEC_HAS_IS_NAN
-#define UNITVEC_HAS_IS_NAN
-bool unitvec_is_nan(float x) {
-    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
-}
-#endif
-#ifndef UNITVEC_HAS_WITH_SIGN
-#define UNITVEC_HAS_WITH_SIGN
-float unitvec_with_sign(float magnitude, float y) {
-    return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
-}
-#endif
-#ifndef UNITVEC_HAS_FLIP_SIGN
-#define UNITVEC_HAS_FLIP_SIGN
-float unitvec_flip_sign(float x, uint sign_bit) {
-    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
-}
+#ifndef UNITVEC_HAS_2_23
+#define UNITVEC_HAS_2_23
+const float UNITVEC_2_23 = 8388608.0;
 #endif
 #ifndef UNITVEC_HAS_SNORM_QUOTIENT
 #define UNITVEC_HAS_SNORM_QUOTIENT
@@ -246,6 +247,27 @@ float unitvec_snorm_quotient(float x, uint bits) {
     return unitvec_snorm_part(x, bits);
 #else
     UNITVEC_PRECISE float quotient = x / unitvec_snorm_max(bits);
+    return quotient;
+#endif
+}
+#endif
+#ifndef UNITVEC_HAS_NEAREST_PAIR
+#define UNITVEC_HAS_NEAREST_PAIR
+uint unitvec_nearest_pair(vec2 e, uint bits) {
+    return unitvec_nearest_code(e.x, bits) | (unitvec_nearest_code(e.y, bits) << bits);
+}
+vec2 unitvec_snorm_integers(uint code, uint bits) {
+    return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
+}
+#endif
+#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
+#define UNITVEC_HAS_SIGNED_QUOTIENT
+float unitvec_signed_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
+    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
     return quotient;
 #endif
 }
@@ -262,50 +284,6 @@ vec2 unitvec_biased(vec2 e) {
 vec2 unitvec_unbiased(vec2 e) {
     UNITVEC_PRECISE vec2 on_snorm = e * 2.0 - 1.0;
     return on_snorm;
-}
-#endif
-#ifndef UNITVEC_HAS_2_23
-#define UNITVEC_HAS_2_23
-const float UNITVEC_2_23 = 8388608.0;
-#endif
-#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
-#define UNITVEC_HAS_SIGNED_QUOTIENT
-float unitvec_signed_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
-    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
-}
-#endif
-#ifndef UNITVEC_HAS_NEAREST_PAIR
-#define UNITVEC_HAS_NEAREST_PAIR
-uint unitvec_nearest_pair(vec2 e, uint bits) {
-    return unitvec_nearest_code(e.x, bits) | (unitvec_nearest_code(e.y, bits) << bits);
-}
-vec2 unitvec_snorm_integers(uint code, uint bits) {
-    return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
-}
-#endif
-#ifndef UNITVEC_HAS_TURN_0
-#define UNITVEC_HAS_TURN_0
-const float UNITVEC_TURN_0 = 0.6366193;
-const float UNITVEC_TURN_1 = -0.21218449;
-const float UNITVEC_TURN_2 = 0.12698378;
-const float UNITVEC_TURN_3 = -0.088545084;
-const float UNITVEC_TURN_4 = 0.061384138;
-const float UNITVEC_TURN_5 = -0.035594895;
-const float UNITVEC_TURN_6 = 0.013918393;
-const float UNITVEC_TURN_7 = -0.002581218;
-float unitvec_atan_quarter(float q) {
-    UNITVEC_PRECISE float u = q * q;
-    UNITVEC_PRECISE float w = u * u;
-    UNITVEC_PRECISE float even = UNITVEC_TURN_0 + w * (UNITVEC_TURN_2 + w * (UNITVEC_TURN_4 + w * UNITVEC_TURN_6));
-    UNITVEC_PRECISE float odd = UNITVEC_TURN_1 + w * (UNITVEC_TURN_3 + w * (UNITVEC_TURN_5 + w * UNITVEC_TURN_7));
-    UNITVEC_PRECISE float turn = q * (even + u * odd);
-    return turn;
 }
 #endif
 #ifndef UNITVEC_HAS_SIN_0
@@ -331,6 +309,25 @@ vec2 unitvec_oct_unpack_unorm8x3(uint code) {
 }
 vec2 unitvec_oct_unpack(uint code, uint bits) {
     return bits == 24u ? unitvec_oct_unpack_unorm8x3(code) : unitvec_snorm_integers(code, bits / 2u);
+}
+#endif
+#ifndef UNITVEC_HAS_TURN_0
+#define UNITVEC_HAS_TURN_0
+const float UNITVEC_TURN_0 = 0.6366193;
+const float UNITVEC_TURN_1 = -0.21218449;
+const float UNITVEC_TURN_2 = 0.12698378;
+const float UNITVEC_TURN_3 = -0.088545084;
+const float UNITVEC_TURN_4 = 0.061384138;
+const float UNITVEC_TURN_5 = -0.035594895;
+const float UNITVEC_TURN_6 = 0.013918393;
+const float UNITVEC_TURN_7 = -0.002581218;
+float unitvec_atan_quarter(float q) {
+    UNITVEC_PRECISE float u = q * q;
+    UNITVEC_PRECISE float w = u * u;
+    UNITVEC_PRECISE float even = UNITVEC_TURN_0 + w * (UNITVEC_TURN_2 + w * (UNITVEC_TURN_4 + w * UNITVEC_TURN_6));
+    UNITVEC_PRECISE float odd = UNITVEC_TURN_1 + w * (UNITVEC_TURN_3 + w * (UNITVEC_TURN_5 + w * UNITVEC_TURN_7));
+    UNITVEC_PRECISE float turn = q * (even + u * odd);
+    return turn;
 }
 #endif
 #ifndef UNITVEC_HAS_SIN_EIGHTH

@@ -35,6 +35,7 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -216,11 +217,6 @@ float unitvec_cos_eighth(float r) {
     return cosine;
 }
 #endif
-#ifndef UNITVEC_HAS_ANGLES_LEAST_X
-#define UNITVEC_HAS_ANGLES_LEAST_X
-const float UNITVEC_ANGLES_LEAST_X = 9.094947017729282e-13;
-const float UNITVEC_ANGLES_LEAST_Y = 4.336808689942018e-19;
-#endif
 #ifndef UNITVEC_HAS_ATAN_0
 #define UNITVEC_HAS_ATAN_0
 const float UNITVEC_ATAN_0 = 0.27323955;
@@ -241,6 +237,11 @@ float unitvec_atan_octant_of_normal(float r) {
     UNITVEC_PRECISE float octants = r + r * ((1.0 - u) * polynomial);
     return octants;
 }
+#endif
+#ifndef UNITVEC_HAS_ANGLES_LEAST_X
+#define UNITVEC_HAS_ANGLES_LEAST_X
+const float UNITVEC_ANGLES_LEAST_X = 9.094947017729282e-13;
+const float UNITVEC_ANGLES_LEAST_Y = 4.336808689942018e-19;
 #endif
 
 // (sqrt(5) - 1) / 2 in 64 bits, rounded.

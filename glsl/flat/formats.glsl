@@ -51,6 +51,7 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -182,6 +183,19 @@ bool unitvec_is_usable(float l1_norm) {
     return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
 }
 #endif
+#ifndef UNITVEC_HAS_NEAREST_CODE
+#define UNITVEC_HAS_NEAREST_CODE
+uint unitvec_nearest_code(float x, uint bits) {
+    UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
+    return floatBitsToUint(sum) & unitvec_mask(bits);
+}
+#endif
+#ifndef UNITVEC_HAS_NEGATE_POSITIVE
+#define UNITVEC_HAS_NEGATE_POSITIVE
+float unitvec_negate_positive(bool negative, float x) {
+    return unitvec_negate_if(negative && x > 0.0, x);
+}
+#endif
 #ifndef UNITVEC_HAS_SNORM_RECIPROCAL
 #define UNITVEC_HAS_SNORM_RECIPROCAL
 float unitvec_snorm_reciprocal(uint bits) {
@@ -195,23 +209,6 @@ float unitvec_snorm_part(float x, uint bits) {
     UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
     UNITVEC_PRECISE float quotient = x * high + x * low;
     return quotient;
-}
-#endif
-#ifndef UNITVEC_HAS_ONE_AND_A_HALF_2_23
-#define UNITVEC_HAS_ONE_AND_A_HALF_2_23
-const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
-#endif
-#ifndef UNITVEC_HAS_NEGATE_POSITIVE
-#define UNITVEC_HAS_NEGATE_POSITIVE
-float unitvec_negate_positive(bool negative, float x) {
-    return unitvec_negate_if(negative && x > 0.0, x);
-}
-#endif
-#ifndef UNITVEC_HAS_NEAREST_CODE
-#define UNITVEC_HAS_NEAREST_CODE
-uint unitvec_nearest_code(float x, uint bits) {
-    UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
-    return floatBitsToUint(sum) & unitvec_mask(bits);
 }
 #endif
 #ifndef UNITVEC_HAS_IS_NAN

@@ -39,6 +39,7 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -170,15 +171,18 @@ bool unitvec_is_usable(float l1_norm) {
     return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
 }
 #endif
-#ifndef UNITVEC_HAS_ONE_AND_A_HALF_2_23
-#define UNITVEC_HAS_ONE_AND_A_HALF_2_23
-const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
-#endif
 #ifndef UNITVEC_HAS_NEAREST_CODE
 #define UNITVEC_HAS_NEAREST_CODE
 uint unitvec_nearest_code(float x, uint bits) {
     UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
     return floatBitsToUint(sum) & unitvec_mask(bits);
+}
+#endif
+#ifndef UNITVEC_HAS_NORMALIZE
+#define UNITVEC_HAS_NORMALIZE
+vec3 unitvec_normalize(vec3 v) {
+    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
+    return n;
 }
 #endif
 #ifndef UNITVEC_HAS_WITH_SIGN
@@ -193,28 +197,9 @@ float unitvec_flip_sign(float x, uint sign_bit) {
     return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
-#ifndef UNITVEC_HAS_NORMALIZE
-#define UNITVEC_HAS_NORMALIZE
-vec3 unitvec_normalize(vec3 v) {
-    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
-    return n;
-}
-#endif
 #ifndef UNITVEC_HAS_2_23
 #define UNITVEC_HAS_2_23
 const float UNITVEC_2_23 = 8388608.0;
-#endif
-#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
-#define UNITVEC_HAS_SIGNED_QUOTIENT
-float unitvec_signed_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
-    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
-}
 #endif
 #ifndef UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
 #define UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
@@ -261,10 +246,16 @@ vec2 unitvec_snorm_integers(uint code, uint bits) {
     return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
 }
 #endif
-#ifndef UNITVEC_HAS_SNORM_INTEGER
-#define UNITVEC_HAS_SNORM_INTEGER
-float unitvec_snorm_integer(uint code, uint bits) {
-    return unitvec_snorm_field(code, 0u, bits);
+#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
+#define UNITVEC_HAS_SIGNED_QUOTIENT
+float unitvec_signed_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
+    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
 }
 #endif
 #ifndef UNITVEC_HAS_NEARER
@@ -286,6 +277,12 @@ vec2 unitvec_oct_unpack_unorm8x3(uint code) {
 }
 vec2 unitvec_oct_unpack(uint code, uint bits) {
     return bits == 24u ? unitvec_oct_unpack_unorm8x3(code) : unitvec_snorm_integers(code, bits / 2u);
+}
+#endif
+#ifndef UNITVEC_HAS_SNORM_INTEGER
+#define UNITVEC_HAS_SNORM_INTEGER
+float unitvec_snorm_integer(uint code, uint bits) {
+    return unitvec_snorm_field(code, 0u, bits);
 }
 #endif
 #ifndef UNITVEC_HAS_OCT_MIRROR
@@ -375,27 +372,67 @@ vec2 unitvec_oct_precise_point(vec3 v, float norm, float m) {
     vec2 corner = m < 63.0 ? unitvec_oct_searched_corner(p, m) : unitvec_oct_nearest_corner(p, m);
     return unitvec_oct_mirror(v, unitvec_oct_fold(v.z, corner, m));
 }
+vec3 unitvec_oct_decode(uint code, uint bits) {
+    return unitvec_oct_from_lattice(unitvec_oct_unpack(code, bits), unitvec_snorm_max(bits / 2u));
+}
+#endif
+#ifndef UNITVEC_HAS_OCT_LATTICE_PRECISE
+#define UNITVEC_HAS_OCT_LATTICE_PRECISE
 vec2 unitvec_oct_lattice_precise(vec3 v, float m) {
     float norm = unitvec_l1_norm(v);
     vec2 e = unitvec_oct_precise_point(v, norm, m);
     return unitvec_is_usable(norm) ? e : vec2(0.0);
 }
-vec3 unitvec_oct_decode(uint code, uint bits) {
-    return unitvec_oct_from_lattice(unitvec_oct_unpack(code, bits), unitvec_snorm_max(bits / 2u));
-}
 vec3 oct22_decode(uint code) { return unitvec_oct_decode(code, 22u); }
 #endif
-
-// With a, b, c the constants, w = v (a + b v^2 + c v^4), near tan(pi v / 4): equal steps of v are angles of
-// atan(w) that are equal but for 0.26 %. The sum of the three is 1.
+#ifndef UNITVEC_HAS_WARP_0
+#define UNITVEC_HAS_WARP_0
 const float UNITVEC_WARP_0 = 0.787353515625;
 const float UNITVEC_WARP_1 = 0.15234375;
 const float UNITVEC_WARP_2 = 0.060302734375;
-
-// The inverse of this stretching, v = w + w (1 - u) (a + u (b + u c)) with u = w^2: within 3.0e-5.
 const float UNITVEC_UNWARP_0 = 0.27020066;
 const float UNITVEC_UNWARP_1 = -0.13198552;
 const float UNITVEC_UNWARP_2 = 0.0392082;
+float unitvec_diamond_warp(float v) {
+    UNITVEC_PRECISE float u = v * v;
+    UNITVEC_PRECISE float w = v * (UNITVEC_WARP_0 + u * (UNITVEC_WARP_1 + u * UNITVEC_WARP_2));
+    return w;
+}
+float unitvec_diamond_unwarp(float w, uint bits) {
+    UNITVEC_PRECISE float u = w * w;
+    UNITVEC_PRECISE float v = w + w * ((1.0 - u) * (UNITVEC_UNWARP_0 + u * (UNITVEC_UNWARP_1 + u * UNITVEC_UNWARP_2)));
+    if (bits <= 9u) return v;
+    // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
+    UNITVEC_PRECISE float missing = (w - unitvec_diamond_warp(v)) * 1.2732395;
+    UNITVEC_PRECISE float slope = 1.0 + u;
+    UNITVEC_PRECISE float nearer = v + unitvec_signed_quotient(missing, slope);
+    return nearer;
+}
+uint unitvec_diamond_code(float x, float y, float sum, uint bits) {
+    // Odd quarter turns are entered where |x| is 0: there the side runs from |y| to |x|.
+    uint below = floatBitsToUint(y) & UNITVEC_SIGN_BIT;
+    uint odd = (floatBitsToUint(x) & UNITVEC_SIGN_BIT) ^ below;
+    UNITVEC_PRECISE float difference = abs(y) - abs(x);
+    float w = unitvec_signed_quotient(unitvec_flip_sign(difference, odd), sum);
+
+    float half_places = float(1u << (bits - 3u));
+    UNITVEC_PRECISE float place = half_places * (unitvec_diamond_unwarp(w, bits) + 1.0) + UNITVEC_2_23;
+    uint quarters = (below >> (32u - bits)) | (odd >> (33u - bits));
+    // The last place of a quarter is the first one of the next, and that of the last quarter code 0.
+    return (quarters + floatBitsToUint(place)) & unitvec_mask(bits);
+}
+vec2 unitvec_diamond_point(uint code, uint bits) {
+    float place = float(code & unitvec_mask(bits - 2u));
+    UNITVEC_PRECISE float v = place * unitvec_exp2(3 - int(bits)) - 1.0;
+
+    uint odd = (code << (33u - bits)) & UNITVEC_SIGN_BIT;
+    uint below = (code << (32u - bits)) & UNITVEC_SIGN_BIT;
+    float w = unitvec_flip_sign(unitvec_diamond_warp(v), odd);
+    UNITVEC_PRECISE float x = 1.0 - w;
+    UNITVEC_PRECISE float y = 1.0 + w;
+    return vec2(unitvec_flip_sign(x, odd ^ below), unitvec_flip_sign(y, below));
+}
+#endif
 
 // Two unit vectors that make an orthonormal basis with the decoded normal n, whose z is not -0: right-handed, (first,
 // second, n).
@@ -410,25 +447,6 @@ void unitvec_frame_basis(vec3 n, out vec3 first, out vec3 second) {
     second = f;
 }
 
-// The place on a side of the diamond, -1 to 1, for v of -1 to 1.
-float unitvec_frame_warp(float v) {
-    UNITVEC_PRECISE float u = v * v;
-    UNITVEC_PRECISE float w = v * (UNITVEC_WARP_0 + u * (UNITVEC_WARP_1 + u * UNITVEC_WARP_2));
-    return w;
-}
-
-// The inverse of unitvec_frame_warp; for more than 9 bits of angle, with a step of Newton's method.
-float unitvec_frame_unwarp(float w, uint angle_bits) {
-    UNITVEC_PRECISE float u = w * w;
-    UNITVEC_PRECISE float v = w + w * ((1.0 - u) * (UNITVEC_UNWARP_0 + u * (UNITVEC_UNWARP_1 + u * UNITVEC_UNWARP_2)));
-    if (angle_bits <= 9u) return v;
-    // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
-    UNITVEC_PRECISE float missing = (w - unitvec_frame_warp(v)) * 1.2732395;
-    UNITVEC_PRECISE float slope = 1.0 + u;
-    UNITVEC_PRECISE float nearer = v + unitvec_signed_quotient(missing, slope);
-    return nearer;
-}
-
 // Code of the angle of `tangent` about the decoded normal n. A tangent must have more of its L1 norm left in the plane
 // than the part `parallel`, along both axes together.
 uint unitvec_frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float parallel) {
@@ -441,32 +459,8 @@ uint unitvec_frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float paral
     UNITVEC_PRECISE float sum = abs(x) + abs(y);
     UNITVEC_PRECISE float least = parallel * norm;
     bool usable = unitvec_is_usable(norm) && sum > least;
-
-    // Odd quarter turns are entered where |x| is 0: there the side runs from |y| to |x|.
-    uint below = floatBitsToUint(y) & UNITVEC_SIGN_BIT;
-    uint odd = (floatBitsToUint(x) & UNITVEC_SIGN_BIT) ^ below;
-    UNITVEC_PRECISE float difference = abs(y) - abs(x);
-    float w = unitvec_signed_quotient(unitvec_flip_sign(difference, odd), sum);
-
-    float half_places = float(1u << (angle_bits - 3u));
-    UNITVEC_PRECISE float place = half_places * (unitvec_frame_unwarp(w, angle_bits) + 1.0) + UNITVEC_2_23;
-    uint quarters = (below >> (32u - angle_bits)) | (odd >> (33u - angle_bits));
-    // The last place of a quarter is the first one of the next, and that of the last quarter code 0.
-    uint code = (quarters + floatBitsToUint(place)) & unitvec_mask(angle_bits);
+    uint code = unitvec_diamond_code(x, y, sum, angle_bits);
     return usable ? code : 0u;
-}
-
-// Place of an angle's code in the plane of the basis: a point of the diamond |x| + |y| = 2.
-vec2 unitvec_frame_diamond_point(uint code, uint angle_bits) {
-    float place = float(code & unitvec_mask(angle_bits - 2u));
-    UNITVEC_PRECISE float v = place * unitvec_exp2(3 - int(angle_bits)) - 1.0;
-
-    uint odd = (code << (33u - angle_bits)) & UNITVEC_SIGN_BIT;
-    uint below = (code << (32u - angle_bits)) & UNITVEC_SIGN_BIT;
-    float w = unitvec_flip_sign(unitvec_frame_warp(v), odd);
-    UNITVEC_PRECISE float x = 1.0 - w;
-    UNITVEC_PRECISE float y = 1.0 + w;
-    return vec2(unitvec_flip_sign(x, odd ^ below), unitvec_flip_sign(y, below));
 }
 
 // Tangent of an angle's code, about the decoded normal n: unit length to within 2 ULP.
@@ -474,7 +468,7 @@ vec3 unitvec_frame_tangent(vec3 n, uint code, uint angle_bits) {
     vec3 first;
     vec3 second;
     unitvec_frame_basis(n, first, second);
-    vec2 p = unitvec_frame_diamond_point(code, angle_bits);
+    vec2 p = unitvec_diamond_point(code, angle_bits);
     UNITVEC_PRECISE vec3 t = first * p.x + second * p.y;
     return unitvec_normalize(t);
 }

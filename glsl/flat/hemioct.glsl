@@ -39,6 +39,7 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -170,6 +171,13 @@ bool unitvec_is_usable(float l1_norm) {
     return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
 }
 #endif
+#ifndef UNITVEC_HAS_NEAREST_CODE
+#define UNITVEC_HAS_NEAREST_CODE
+uint unitvec_nearest_code(float x, uint bits) {
+    UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
+    return floatBitsToUint(sum) & unitvec_mask(bits);
+}
+#endif
 #ifndef UNITVEC_HAS_SNORM_RECIPROCAL
 #define UNITVEC_HAS_SNORM_RECIPROCAL
 float unitvec_snorm_reciprocal(uint bits) {
@@ -185,15 +193,11 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 #endif
-#ifndef UNITVEC_HAS_ONE_AND_A_HALF_2_23
-#define UNITVEC_HAS_ONE_AND_A_HALF_2_23
-const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
-#endif
-#ifndef UNITVEC_HAS_NEAREST_CODE
-#define UNITVEC_HAS_NEAREST_CODE
-uint unitvec_nearest_code(float x, uint bits) {
-    UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
-    return floatBitsToUint(sum) & unitvec_mask(bits);
+#ifndef UNITVEC_HAS_NORMALIZE
+#define UNITVEC_HAS_NORMALIZE
+vec3 unitvec_normalize(vec3 v) {
+    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
+    return n;
 }
 #endif
 #ifndef UNITVEC_HAS_IS_NAN
@@ -211,27 +215,6 @@ float unitvec_snorm_quotient(float x, uint bits) {
     UNITVEC_PRECISE float quotient = x / unitvec_snorm_max(bits);
     return quotient;
 #endif
-}
-#endif
-#ifndef UNITVEC_HAS_NORMALIZE
-#define UNITVEC_HAS_NORMALIZE
-vec3 unitvec_normalize(vec3 v) {
-    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
-    return n;
-}
-#endif
-#ifndef UNITVEC_HAS_SNORM_CLAMP
-#define UNITVEC_HAS_SNORM_CLAMP
-vec2 unitvec_snorm_clamp(vec2 e) {
-    return unitvec_is_nan(abs(e.x) + abs(e.y)) ? vec2(0.0) : clamp(e, -1.0, 1.0);
-}
-vec2 unitvec_biased(vec2 e) {
-    UNITVEC_PRECISE vec2 on_unorm = e * 0.5 + 0.5;
-    return on_unorm;
-}
-vec2 unitvec_unbiased(vec2 e) {
-    UNITVEC_PRECISE vec2 on_snorm = e * 2.0 - 1.0;
-    return on_snorm;
 }
 #endif
 #ifndef UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
@@ -277,6 +260,20 @@ uint unitvec_nearest_pair(vec2 e, uint bits) {
 }
 vec2 unitvec_snorm_integers(uint code, uint bits) {
     return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
+}
+#endif
+#ifndef UNITVEC_HAS_SNORM_CLAMP
+#define UNITVEC_HAS_SNORM_CLAMP
+vec2 unitvec_snorm_clamp(vec2 e) {
+    return unitvec_is_nan(abs(e.x) + abs(e.y)) ? vec2(0.0) : clamp(e, -1.0, 1.0);
+}
+vec2 unitvec_biased(vec2 e) {
+    UNITVEC_PRECISE vec2 on_unorm = e * 0.5 + 0.5;
+    return on_unorm;
+}
+vec2 unitvec_unbiased(vec2 e) {
+    UNITVEC_PRECISE vec2 on_snorm = e * 2.0 - 1.0;
+    return on_snorm;
 }
 #endif
 #ifndef UNITVEC_HAS_NEARER
@@ -329,23 +326,8 @@ vec3 unitvec_hemioct_from_lattice(vec2 e, float m) {
     return unitvec_normalize_octahedral(vec3(p, z), m, m + 1.0);
 }
 #endif
-
-// Listing 6: the projection, unquantised, on [-1, 1]^2. +Z stands in for vectors without a direction, or without one
-// above the equator.
-vec2 float32x3_to_hemioct(vec3 v) {
-    vec2 norms = unitvec_hemioct_norms(v);
-    vec2 e = unitvec_hemioct_position(v, norms.y, 1.0);
-    return unitvec_hemioct_is_usable(norms) ? e : vec2(0.0);
-}
-
-// Listing 6: the direction of a pair of snorm values on [-1, 1].
-vec3 hemioct_to_float32x3(vec2 e) {
-    return unitvec_hemioct_from_lattice(unitvec_snorm_clamp(e), 1.0);
-}
-
-// Variants with values on [0, 1], for a UNORM format, which cannot hold the middle exactly.
-vec2 float32x3_to_hemioct_unorm(vec3 v) { return unitvec_biased(float32x3_to_hemioct(v)); }
-vec3 hemioct_unorm_to_float32x3(vec2 e) { return hemioct_to_float32x3(unitvec_unbiased(e)); }
+#ifndef UNITVEC_HAS_HEMIOCT_CORNER
+#define UNITVEC_HAS_HEMIOCT_CORNER
 
 // The corner (u, v) of a lattice cell, as p sees it, of an L1 norm of 2 m: unitvec_beside.
 vec4 unitvec_hemioct_corner(vec2 e, vec3 p, float m, float len) {
@@ -375,15 +357,41 @@ vec2 unitvec_hemioct_lattice_precise(vec3 v, float m) {
     return unitvec_hemioct_is_usable(norms) ? e : vec2(0.0);
 }
 
+uint unitvec_hemioct_encode_precise(vec3 v, uint bits) {
+    return unitvec_nearest_pair(unitvec_hemioct_lattice_precise(v, unitvec_snorm_max(bits / 2u)), bits / 2u);
+}
+
+vec3 unitvec_hemioct_decode(uint code, uint bits) {
+    return unitvec_hemioct_from_lattice(unitvec_snorm_integers(code, bits / 2u), unitvec_snorm_max(bits / 2u));
+}
+
+vec3 hemioct16_decode(uint code) { return unitvec_hemioct_decode(code, 16u); }
+vec3 hemioct24_decode(uint code) { return unitvec_hemioct_decode(code, 24u); }
+vec3 hemioct32_decode(uint code) { return unitvec_hemioct_decode(code, 32u); }
+#endif
+
+// Listing 6: the projection, unquantised, on [-1, 1]^2. +Z stands in for vectors without a direction, or without one
+// above the equator.
+vec2 float32x3_to_hemioct(vec3 v) {
+    vec2 norms = unitvec_hemioct_norms(v);
+    vec2 e = unitvec_hemioct_position(v, norms.y, 1.0);
+    return unitvec_hemioct_is_usable(norms) ? e : vec2(0.0);
+}
+
+// Listing 6: the direction of a pair of snorm values on [-1, 1].
+vec3 hemioct_to_float32x3(vec2 e) {
+    return unitvec_hemioct_from_lattice(unitvec_snorm_clamp(e), 1.0);
+}
+
+// Variants with values on [0, 1], for a UNORM format, which cannot hold the middle exactly.
+vec2 float32x3_to_hemioct_unorm(vec3 v) { return unitvec_biased(float32x3_to_hemioct(v)); }
+vec3 hemioct_unorm_to_float32x3(vec2 e) { return hemioct_to_float32x3(unitvec_unbiased(e)); }
+
 // The nearest code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
 vec2 float32x3_to_hemioctn_precise(vec3 v, int n) {
     uint bits = uint(n / 2);
     vec2 e = unitvec_hemioct_lattice_precise(v, unitvec_snorm_max(bits));
     return vec2(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
-}
-
-uint unitvec_hemioct_encode_precise(vec3 v, uint bits) {
-    return unitvec_nearest_pair(unitvec_hemioct_lattice_precise(v, unitvec_snorm_max(bits / 2u)), bits / 2u);
 }
 
 uint unitvec_hemioct_encode(vec3 v, uint bits) {
@@ -393,17 +401,9 @@ uint unitvec_hemioct_encode(vec3 v, uint bits) {
     return unitvec_hemioct_is_usable(norms) ? code : 0u;
 }
 
-vec3 unitvec_hemioct_decode(uint code, uint bits) {
-    return unitvec_hemioct_from_lattice(unitvec_snorm_integers(code, bits / 2u), unitvec_snorm_max(bits / 2u));
-}
-
 uint hemioct16_encode(vec3 v) { return unitvec_hemioct_encode(v, 16u); }
 uint hemioct24_encode(vec3 v) { return unitvec_hemioct_encode(v, 24u); }
 uint hemioct32_encode(vec3 v) { return unitvec_hemioct_encode(v, 32u); }
-
-vec3 hemioct16_decode(uint code) { return unitvec_hemioct_decode(code, 16u); }
-vec3 hemioct24_decode(uint code) { return unitvec_hemioct_decode(code, 24u); }
-vec3 hemioct32_decode(uint code) { return unitvec_hemioct_decode(code, 32u); }
 
 uint hemioct16p_encode(vec3 v) { return unitvec_hemioct_encode_precise(v, 16u); }
 uint hemioct24p_encode(vec3 v) { return unitvec_hemioct_encode_precise(v, 24u); }

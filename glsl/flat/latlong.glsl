@@ -37,6 +37,7 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -180,17 +181,6 @@ float unitvec_negate_positive(bool negative, float x) {
     return unitvec_negate_if(negative && x > 0.0, x);
 }
 #endif
-#ifndef UNITVEC_HAS_ROOT
-#define UNITVEC_HAS_ROOT
-float unitvec_root(float x) {
-#ifdef UNITVEC_EXACT
-    return floatBitsToUint(x) < UNITVEC_EXACT_HIDDEN ? 0.0 : unitvec_exact_root(x, inversesqrt(x));
-#else
-    UNITVEC_PRECISE float found = sqrt(x);
-    return found;
-#endif
-}
-#endif
 #ifndef UNITVEC_HAS_WITH_SIGN
 #define UNITVEC_HAS_WITH_SIGN
 float unitvec_with_sign(float magnitude, float y) {
@@ -203,10 +193,15 @@ float unitvec_flip_sign(float x, uint sign_bit) {
     return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
-#ifndef UNITVEC_HAS_WHOLE_TO_U32
-#define UNITVEC_HAS_WHOLE_TO_U32
-uint unitvec_whole_to_u32(float whole) {
-    return uint(int(whole));
+#ifndef UNITVEC_HAS_ROOT
+#define UNITVEC_HAS_ROOT
+float unitvec_root(float x) {
+#ifdef UNITVEC_EXACT
+    return floatBitsToUint(x) < UNITVEC_EXACT_HIDDEN ? 0.0 : unitvec_exact_root(x, inversesqrt(x));
+#else
+    UNITVEC_PRECISE float found = sqrt(x);
+    return found;
+#endif
 }
 #endif
 #ifndef UNITVEC_HAS_SIGNED_QUOTIENT
@@ -219,6 +214,12 @@ float unitvec_signed_quotient(float a, float b) {
     UNITVEC_PRECISE float quotient = a / b;
     return quotient;
 #endif
+}
+#endif
+#ifndef UNITVEC_HAS_WHOLE_TO_U32
+#define UNITVEC_HAS_WHOLE_TO_U32
+uint unitvec_whole_to_u32(float whole) {
+    return uint(int(whole));
 }
 #endif
 #ifndef UNITVEC_HAS_TURN_0

@@ -50,6 +50,7 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -181,6 +182,13 @@ bool unitvec_is_usable(float l1_norm) {
     return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
 }
 #endif
+#ifndef UNITVEC_HAS_NEAREST_CODE
+#define UNITVEC_HAS_NEAREST_CODE
+uint unitvec_nearest_code(float x, uint bits) {
+    UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
+    return floatBitsToUint(sum) & unitvec_mask(bits);
+}
+#endif
 #ifndef UNITVEC_HAS_SNORM_RECIPROCAL
 #define UNITVEC_HAS_SNORM_RECIPROCAL
 float unitvec_snorm_reciprocal(uint bits) {
@@ -196,15 +204,17 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 #endif
-#ifndef UNITVEC_HAS_ONE_AND_A_HALF_2_23
-#define UNITVEC_HAS_ONE_AND_A_HALF_2_23
-const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+#ifndef UNITVEC_HAS_NORMALIZE
+#define UNITVEC_HAS_NORMALIZE
+vec3 unitvec_normalize(vec3 v) {
+    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
+    return n;
+}
 #endif
-#ifndef UNITVEC_HAS_NEAREST_CODE
-#define UNITVEC_HAS_NEAREST_CODE
-uint unitvec_nearest_code(float x, uint bits) {
-    UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
-    return floatBitsToUint(sum) & unitvec_mask(bits);
+#ifndef UNITVEC_HAS_WITH_SIGN
+#define UNITVEC_HAS_WITH_SIGN
+float unitvec_with_sign(float magnitude, float y) {
+    return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
 }
 #endif
 #ifndef UNITVEC_HAS_IS_NAN
@@ -213,11 +223,9 @@ bool unitvec_is_nan(float x) {
     return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
 }
 #endif
-#ifndef UNITVEC_HAS_WITH_SIGN
-#define UNITVEC_HAS_WITH_SIGN
-float unitvec_with_sign(float magnitude, float y) {
-    return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
-}
+#ifndef UNITVEC_HAS_2_23
+#define UNITVEC_HAS_2_23
+const float UNITVEC_2_23 = 8388608.0;
 #endif
 #ifndef UNITVEC_HAS_SNORM_QUOTIENT
 #define UNITVEC_HAS_SNORM_QUOTIENT
@@ -228,37 +236,6 @@ float unitvec_snorm_quotient(float x, uint bits) {
     UNITVEC_PRECISE float quotient = x / unitvec_snorm_max(bits);
     return quotient;
 #endif
-}
-#endif
-#ifndef UNITVEC_HAS_NORMALIZE
-#define UNITVEC_HAS_NORMALIZE
-vec3 unitvec_normalize(vec3 v) {
-    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
-    return n;
-}
-#endif
-#ifndef UNITVEC_HAS_SNORM_CLAMP
-#define UNITVEC_HAS_SNORM_CLAMP
-vec2 unitvec_snorm_clamp(vec2 e) {
-    return unitvec_is_nan(abs(e.x) + abs(e.y)) ? vec2(0.0) : clamp(e, -1.0, 1.0);
-}
-vec2 unitvec_biased(vec2 e) {
-    UNITVEC_PRECISE vec2 on_unorm = e * 0.5 + 0.5;
-    return on_unorm;
-}
-vec2 unitvec_unbiased(vec2 e) {
-    UNITVEC_PRECISE vec2 on_snorm = e * 2.0 - 1.0;
-    return on_snorm;
-}
-#endif
-#ifndef UNITVEC_HAS_2_23
-#define UNITVEC_HAS_2_23
-const float UNITVEC_2_23 = 8388608.0;
-#endif
-#ifndef UNITVEC_HAS_WHOLE_TO_U32
-#define UNITVEC_HAS_WHOLE_TO_U32
-uint unitvec_whole_to_u32(float whole) {
-    return uint(int(whole));
 }
 #endif
 #ifndef UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
@@ -306,6 +283,26 @@ vec2 unitvec_snorm_integers(uint code, uint bits) {
     return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
 }
 #endif
+#ifndef UNITVEC_HAS_SNORM_CLAMP
+#define UNITVEC_HAS_SNORM_CLAMP
+vec2 unitvec_snorm_clamp(vec2 e) {
+    return unitvec_is_nan(abs(e.x) + abs(e.y)) ? vec2(0.0) : clamp(e, -1.0, 1.0);
+}
+vec2 unitvec_biased(vec2 e) {
+    UNITVEC_PRECISE vec2 on_unorm = e * 0.5 + 0.5;
+    return on_unorm;
+}
+vec2 unitvec_unbiased(vec2 e) {
+    UNITVEC_PRECISE vec2 on_snorm = e * 2.0 - 1.0;
+    return on_snorm;
+}
+#endif
+#ifndef UNITVEC_HAS_WHOLE_TO_U32
+#define UNITVEC_HAS_WHOLE_TO_U32
+uint unitvec_whole_to_u32(float whole) {
+    return uint(int(whole));
+}
+#endif
 #ifndef UNITVEC_HAS_NEARER
 #define UNITVEC_HAS_NEARER
 vec4 unitvec_nearer(vec4 a, vec4 b) {
@@ -332,13 +329,6 @@ vec2 unitvec_oct_unpack(uint code, uint bits) {
     return bits == 24u ? unitvec_oct_unpack_unorm8x3(code) : unitvec_snorm_integers(code, bits / 2u);
 }
 #endif
-#ifndef UNITVEC_HAS_SNORM_QUOTIENTS
-#define UNITVEC_HAS_SNORM_QUOTIENTS
-vec3 unitvec_snorm_quotients(vec3 e, uint xy_bits, uint z_bits) {
-    return vec3(unitvec_snorm_quotient(e.x, xy_bits), unitvec_snorm_quotient(e.y, xy_bits),
-        unitvec_snorm_quotient(e.z, z_bits));
-}
-#endif
 #ifndef UNITVEC_HAS_OCT_PACK_UNORM8X3
 #define UNITVEC_HAS_OCT_PACK_UNORM8X3
 
@@ -357,6 +347,13 @@ uint unitvec_oct_pack(vec2 e, uint bits) {
 // `code`, or the code of +Z where this L1 norm gives no direction: selecting here takes the fewest operations.
 uint unitvec_oct_usable_code(float norm, uint code, uint bits) {
     return unitvec_is_usable(norm) ? code : unitvec_oct_pack(vec2(0.0), bits);
+}
+#endif
+#ifndef UNITVEC_HAS_SNORM_QUOTIENTS
+#define UNITVEC_HAS_SNORM_QUOTIENTS
+vec3 unitvec_snorm_quotients(vec3 e, uint xy_bits, uint z_bits) {
+    return vec3(unitvec_snorm_quotient(e.x, xy_bits), unitvec_snorm_quotient(e.y, xy_bits),
+        unitvec_snorm_quotient(e.z, z_bits));
 }
 #endif
 #ifndef UNITVEC_HAS_OCT_MIRROR
@@ -477,17 +474,35 @@ vec2 unitvec_oct_precise_point(vec3 v, float norm, float m) {
     return unitvec_oct_mirror(v, unitvec_oct_fold(v.z, corner, m));
 }
 
+vec3 unitvec_oct_decode(uint code, uint bits) {
+    return unitvec_oct_from_lattice(unitvec_oct_unpack(code, bits), unitvec_snorm_max(bits / 2u));
+}
+#endif
+#ifndef UNITVEC_HAS_OCT_LATTICE_PRECISE
+#define UNITVEC_HAS_OCT_LATTICE_PRECISE
+
 // Lattice point that is nearest in angle to the direction of any v; (0, 0) where it has no direction.
 vec2 unitvec_oct_lattice_precise(vec3 v, float m) {
     float norm = unitvec_l1_norm(v);
     vec2 e = unitvec_oct_precise_point(v, norm, m);
     return unitvec_is_usable(norm) ? e : vec2(0.0);
 }
-
-vec3 unitvec_oct_decode(uint code, uint bits) {
-    return unitvec_oct_from_lattice(unitvec_oct_unpack(code, bits), unitvec_snorm_max(bits / 2u));
-}
 vec3 oct22_decode(uint code) { return unitvec_oct_decode(code, 22u); }
+#endif
+#ifndef UNITVEC_HAS_OCT_ENCODE_PRECISE
+#define UNITVEC_HAS_OCT_ENCODE_PRECISE
+
+uint unitvec_oct_encode_precise(vec3 v, uint bits) {
+    float norm = unitvec_l1_norm(v);
+    vec2 e = unitvec_oct_precise_point(v, norm, unitvec_snorm_max(bits / 2u));
+    return unitvec_oct_usable_code(norm, unitvec_oct_pack(e, bits), bits);
+}
+uint oct20p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 20u); }
+uint oct24p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 24u); }
+uint oct32p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 32u); }
+vec3 oct20_decode(uint code) { return unitvec_oct_decode(code, 20u); }
+vec3 oct24_decode(uint code) { return unitvec_oct_decode(code, 24u); }
+vec3 oct32_decode(uint code) { return unitvec_oct_decode(code, 32u); }
 #endif
 #ifndef UNITVEC_HAS_OCT_POSITION
 #define UNITVEC_HAS_OCT_POSITION
@@ -587,12 +602,6 @@ uint unitvec_oct_encode(vec3 v, uint bits) {
     return unitvec_oct_usable_code(norm, unitvec_oct_pack(e, bits), bits);
 }
 
-uint unitvec_oct_encode_precise(vec3 v, uint bits) {
-    float norm = unitvec_l1_norm(v);
-    vec2 e = unitvec_oct_precise_point(v, norm, unitvec_snorm_max(bits / 2u));
-    return unitvec_oct_usable_code(norm, unitvec_oct_pack(e, bits), bits);
-}
-
 uint oct8_encode(vec3 v) { return unitvec_oct_encode(v, 8u); }
 uint oct12_encode(vec3 v) { return unitvec_oct_encode(v, 12u); }
 uint oct16_encode(vec3 v) { return unitvec_oct_encode(v, 16u); }
@@ -606,18 +615,12 @@ uint oct8p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 8u); }
 uint oct12p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 12u); }
 uint oct16p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 16u); }
 uint oct18p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 18u); }
-uint oct20p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 20u); }
 uint oct22p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 22u); }
-uint oct24p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 24u); }
-uint oct32p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 32u); }
 
 vec3 oct8_decode(uint code) { return unitvec_oct_decode(code, 8u); }
 vec3 oct12_decode(uint code) { return unitvec_oct_decode(code, 12u); }
 vec3 oct16_decode(uint code) { return unitvec_oct_decode(code, 16u); }
 vec3 oct18_decode(uint code) { return unitvec_oct_decode(code, 18u); }
-vec3 oct20_decode(uint code) { return unitvec_oct_decode(code, 20u); }
-vec3 oct24_decode(uint code) { return unitvec_oct_decode(code, 24u); }
-vec3 oct32_decode(uint code) { return unitvec_oct_decode(code, 32u); }
 
 vec3 oct8p_decode(uint code) { return oct8_decode(code); }
 vec3 oct12p_decode(uint code) { return oct12_decode(code); }

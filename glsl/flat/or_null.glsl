@@ -38,6 +38,7 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);

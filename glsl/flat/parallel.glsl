@@ -37,6 +37,7 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -168,6 +169,18 @@ bool unitvec_is_usable(float l1_norm) {
     return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
 }
 #endif
+#ifndef UNITVEC_HAS_SCALE_TO_ONE
+#define UNITVEC_HAS_SCALE_TO_ONE
+float unitvec_scale_to_one(float l1_norm) {
+    return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
+}
+#endif
+#ifndef UNITVEC_HAS_NEGATE_POSITIVE
+#define UNITVEC_HAS_NEGATE_POSITIVE
+float unitvec_negate_positive(bool negative, float x) {
+    return unitvec_negate_if(negative && x > 0.0, x);
+}
+#endif
 #ifndef UNITVEC_HAS_SNORM_RECIPROCAL
 #define UNITVEC_HAS_SNORM_RECIPROCAL
 float unitvec_snorm_reciprocal(uint bits) {
@@ -181,18 +194,6 @@ float unitvec_snorm_part(float x, uint bits) {
     UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
     UNITVEC_PRECISE float quotient = x * high + x * low;
     return quotient;
-}
-#endif
-#ifndef UNITVEC_HAS_SCALE_TO_ONE
-#define UNITVEC_HAS_SCALE_TO_ONE
-float unitvec_scale_to_one(float l1_norm) {
-    return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
-}
-#endif
-#ifndef UNITVEC_HAS_NEGATE_POSITIVE
-#define UNITVEC_HAS_NEGATE_POSITIVE
-float unitvec_negate_positive(bool negative, float x) {
-    return unitvec_negate_if(negative && x > 0.0, x);
 }
 #endif
 #ifndef UNITVEC_HAS_ROOT

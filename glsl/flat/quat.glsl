@@ -38,6 +38,7 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -181,12 +182,6 @@ float unitvec_flip_sign(float x, uint sign_bit) {
     return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
-#ifndef UNITVEC_HAS_WHOLE_TO_U32
-#define UNITVEC_HAS_WHOLE_TO_U32
-uint unitvec_whole_to_u32(float whole) {
-    return uint(int(whole));
-}
-#endif
 #ifndef UNITVEC_HAS_SIGNED_QUOTIENT
 #define UNITVEC_HAS_SIGNED_QUOTIENT
 float unitvec_signed_quotient(float a, float b) {
@@ -197,6 +192,12 @@ float unitvec_signed_quotient(float a, float b) {
     UNITVEC_PRECISE float quotient = a / b;
     return quotient;
 #endif
+}
+#endif
+#ifndef UNITVEC_HAS_WHOLE_TO_U32
+#define UNITVEC_HAS_WHOLE_TO_U32
+uint unitvec_whole_to_u32(float whole) {
+    return uint(int(whole));
 }
 #endif
 #ifndef UNITVEC_HAS_WITHOUT_DENORMAL
@@ -339,12 +340,18 @@ uint unitvec_quat_field(uvec2 code, uint at, uint bits) {
     return ((code.x >> at) | high) & unitvec_mask(bits);
 }
 
+float unitvec_quat_kept(float x) {
+    return abs(x) < UNITVEC_NEGLIGIBLE ? 0.0 : x;
+}
+
 uvec2 unitvec_quat_encode(vec4 q, uint bits) {
     q = unitvec_quat_or_identity(q);
     uint chart = unitvec_quat_chart(q);
     vec4 turned = unitvec_quat_turn(q, chart);
     float scale = unitvec_negate_if(unitvec_is_negative(turned.x), unitvec_reciprocal(abs(turned.x)));
-    UNITVEC_PRECISE vec3 x = turned.yzw * scale;
+    UNITVEC_PRECISE vec3 all = turned.yzw * scale;
+    // No denormals, which devices may flush, tell one side of a cell from the other.
+    vec3 x = vec3(unitvec_quat_kept(all.x), unitvec_quat_kept(all.y), unitvec_quat_kept(all.z));
     uvec4 nearest = unitvec_quat_nearest(x, bits);
 
     uint low = unitvec_quat_layout(bits).x;

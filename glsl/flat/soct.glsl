@@ -39,6 +39,7 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -170,15 +171,18 @@ bool unitvec_is_usable(float l1_norm) {
     return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
 }
 #endif
-#ifndef UNITVEC_HAS_ONE_AND_A_HALF_2_23
-#define UNITVEC_HAS_ONE_AND_A_HALF_2_23
-const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
-#endif
 #ifndef UNITVEC_HAS_NEAREST_CODE
 #define UNITVEC_HAS_NEAREST_CODE
 uint unitvec_nearest_code(float x, uint bits) {
     UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
     return floatBitsToUint(sum) & unitvec_mask(bits);
+}
+#endif
+#ifndef UNITVEC_HAS_NORMALIZE
+#define UNITVEC_HAS_NORMALIZE
+vec3 unitvec_normalize(vec3 v) {
+    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
+    return n;
 }
 #endif
 #ifndef UNITVEC_HAS_IS_NAN
@@ -191,27 +195,6 @@ bool unitvec_is_nan(float x) {
 #define UNITVEC_HAS_FLIP_SIGN
 float unitvec_flip_sign(float x, uint sign_bit) {
     return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
-}
-#endif
-#ifndef UNITVEC_HAS_NORMALIZE
-#define UNITVEC_HAS_NORMALIZE
-vec3 unitvec_normalize(vec3 v) {
-    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
-    return n;
-}
-#endif
-#ifndef UNITVEC_HAS_SNORM_CLAMP
-#define UNITVEC_HAS_SNORM_CLAMP
-vec2 unitvec_snorm_clamp(vec2 e) {
-    return unitvec_is_nan(abs(e.x) + abs(e.y)) ? vec2(0.0) : clamp(e, -1.0, 1.0);
-}
-vec2 unitvec_biased(vec2 e) {
-    UNITVEC_PRECISE vec2 on_unorm = e * 0.5 + 0.5;
-    return on_unorm;
-}
-vec2 unitvec_unbiased(vec2 e) {
-    UNITVEC_PRECISE vec2 on_snorm = e * 2.0 - 1.0;
-    return on_snorm;
 }
 #endif
 #ifndef UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
@@ -257,6 +240,20 @@ uint unitvec_nearest_pair(vec2 e, uint bits) {
 }
 vec2 unitvec_snorm_integers(uint code, uint bits) {
     return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
+}
+#endif
+#ifndef UNITVEC_HAS_SNORM_CLAMP
+#define UNITVEC_HAS_SNORM_CLAMP
+vec2 unitvec_snorm_clamp(vec2 e) {
+    return unitvec_is_nan(abs(e.x) + abs(e.y)) ? vec2(0.0) : clamp(e, -1.0, 1.0);
+}
+vec2 unitvec_biased(vec2 e) {
+    UNITVEC_PRECISE vec2 on_unorm = e * 0.5 + 0.5;
+    return on_unorm;
+}
+vec2 unitvec_unbiased(vec2 e) {
+    UNITVEC_PRECISE vec2 on_snorm = e * 2.0 - 1.0;
+    return on_snorm;
 }
 #endif
 #ifndef UNITVEC_HAS_HEMIOCT_POSITION

@@ -36,6 +36,7 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -179,6 +180,12 @@ float unitvec_negate_positive(bool negative, float x) {
     return unitvec_negate_if(negative && x > 0.0, x);
 }
 #endif
+#ifndef UNITVEC_HAS_FLIP_SIGN
+#define UNITVEC_HAS_FLIP_SIGN
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
+}
+#endif
 #ifndef UNITVEC_HAS_ROOT
 #define UNITVEC_HAS_ROOT
 float unitvec_root(float x) {
@@ -188,12 +195,6 @@ float unitvec_root(float x) {
     UNITVEC_PRECISE float found = sqrt(x);
     return found;
 #endif
-}
-#endif
-#ifndef UNITVEC_HAS_FLIP_SIGN
-#define UNITVEC_HAS_FLIP_SIGN
-float unitvec_flip_sign(float x, uint sign_bit) {
-    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
 #ifndef UNITVEC_HAS_SIGNED_QUOTIENT
@@ -263,6 +264,12 @@ float unitvec_atan_octant_of_normal(float r) {
     return octants;
 }
 #endif
+#ifndef UNITVEC_HAS_ATAN_OCTANT
+#define UNITVEC_HAS_ATAN_OCTANT
+float unitvec_atan_octant(float r) {
+    return unitvec_atan_octant_of_normal(r < UNITVEC_NEGLIGIBLE ? 0.0 : r);
+}
+#endif
 #ifndef UNITVEC_HAS_UPPER_HALF
 #define UNITVEC_HAS_UPPER_HALF
 float unitvec_upper_half(float x) {
@@ -276,12 +283,6 @@ float unitvec_product_rest(float a, float b, float product) {
     UNITVEC_PRECISE float rest =
         (((a_upper * b_upper - product) + a_upper * b_lower) + a_lower * b_upper) + a_lower * b_lower;
     return rest;
-}
-#endif
-#ifndef UNITVEC_HAS_ATAN_OCTANT
-#define UNITVEC_HAS_ATAN_OCTANT
-float unitvec_atan_octant(float r) {
-    return unitvec_atan_octant_of_normal(r < UNITVEC_NEGLIGIBLE ? 0.0 : r);
 }
 #endif
 #ifndef UNITVEC_HAS_ATAN_OCTANT_RATIO

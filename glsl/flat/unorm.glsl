@@ -33,6 +33,7 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -179,6 +180,10 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 #endif
+#ifndef UNITVEC_HAS_2_23
+#define UNITVEC_HAS_2_23
+const float UNITVEC_2_23 = 8388608.0;
+#endif
 #ifndef UNITVEC_HAS_SNORM_QUOTIENT
 #define UNITVEC_HAS_SNORM_QUOTIENT
 float unitvec_snorm_quotient(float x, uint bits) {
@@ -189,10 +194,6 @@ float unitvec_snorm_quotient(float x, uint bits) {
     return quotient;
 #endif
 }
-#endif
-#ifndef UNITVEC_HAS_2_23
-#define UNITVEC_HAS_2_23
-const float UNITVEC_2_23 = 8388608.0;
 #endif
 #ifndef UNITVEC_HAS_SNORM_QUOTIENTS
 #define UNITVEC_HAS_SNORM_QUOTIENTS

@@ -37,6 +37,7 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -183,6 +184,13 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 #endif
+#ifndef UNITVEC_HAS_NORMALIZE
+#define UNITVEC_HAS_NORMALIZE
+vec3 unitvec_normalize(vec3 v) {
+    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
+    return n;
+}
+#endif
 #ifndef UNITVEC_HAS_WITH_SIGN
 #define UNITVEC_HAS_WITH_SIGN
 float unitvec_with_sign(float magnitude, float y) {
@@ -198,13 +206,6 @@ float unitvec_snorm_quotient(float x, uint bits) {
     UNITVEC_PRECISE float quotient = x / unitvec_snorm_max(bits);
     return quotient;
 #endif
-}
-#endif
-#ifndef UNITVEC_HAS_NORMALIZE
-#define UNITVEC_HAS_NORMALIZE
-vec3 unitvec_normalize(vec3 v) {
-    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
-    return n;
 }
 #endif
 #ifndef UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR

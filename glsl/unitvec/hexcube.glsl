@@ -108,9 +108,9 @@ uint unitvec_hexcube_encode(vec3 v, UnitvecHexcubeLattice lattice) {
     bool is_x = !is_z && !y_above;
     float p_x = is_x ? v.y : v.x;
     float p_y = is_z ? v.y : v.z;
-    vec2 point = unitvec_hexcube_nearest(vec2(abs(p_x), abs(p_y)), max(a.z, larger), lattice);
+    vec2 found = unitvec_hexcube_nearest(vec2(abs(p_x), abs(p_y)), max(a.z, larger), lattice);
     // Both whole.
-    UNITVEC_PRECISE vec2 doubled = 2.0 * point;
+    UNITVEC_PRECISE vec2 doubled = 2.0 * found;
     int column = int(unitvec_negate_if(unitvec_is_negative(p_x), doubled.x));
     int row = int(unitvec_negate_if(unitvec_is_negative(p_y), doubled.y));
     int from_middle = (row * unitvec_hexcube_line(lattice) + column) >> 1;

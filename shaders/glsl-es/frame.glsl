@@ -22,17 +22,6 @@
 precision highp float;
 precision highp int;
 
-// With a, b, c the constants, w = v (a + b v^2 + c v^4), near tan(pi v / 4): equal steps of v are angles of
-// atan(w) that are equal but for 0.26 %. The sum of the three is 1.
-const float UNITVEC_WARP_0 = 0.787353515625;
-const float UNITVEC_WARP_1 = 0.15234375;
-const float UNITVEC_WARP_2 = 0.060302734375;
-
-// The inverse of this stretching, v = w + w (1 - u) (a + u (b + u c)) with u = w^2: within 3.0e-5.
-const float UNITVEC_UNWARP_0 = 0.27020066;
-const float UNITVEC_UNWARP_1 = -0.13198552;
-const float UNITVEC_UNWARP_2 = 0.0392082;
-
 // Two unit vectors that make an orthonormal basis with the decoded normal n, whose z is not -0: right-handed, (first,
 // second, n).
 void unitvec_frame_basis(vec3 n, out vec3 first, out vec3 second) {
@@ -44,25 +33,6 @@ void unitvec_frame_basis(vec3 n, out vec3 first, out vec3 second) {
     vec3 f = vec3(b, s + (n.y * n.y) * a, -n.y);
     first = e;
     second = f;
-}
-
-// The place on a side of the diamond, -1 to 1, for v of -1 to 1.
-float unitvec_frame_warp(float v) {
-    float u = v * v;
-    float w = v * (UNITVEC_WARP_0 + u * (UNITVEC_WARP_1 + u * UNITVEC_WARP_2));
-    return w;
-}
-
-// The inverse of unitvec_frame_warp; for more than 9 bits of angle, with a step of Newton's method.
-float unitvec_frame_unwarp(float w, uint angle_bits) {
-    float u = w * w;
-    float v = w + w * ((1.0 - u) * (UNITVEC_UNWARP_0 + u * (UNITVEC_UNWARP_1 + u * UNITVEC_UNWARP_2)));
-    if (angle_bits <= 9u) return v;
-    // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
-    float missing = (w - unitvec_frame_warp(v)) * 1.2732395;
-    float slope = 1.0 + u;
-    float nearer = v + unitvec_signed_quotient(missing, slope);
-    return nearer;
 }
 
 // Code of the angle of `tangent` about the decoded normal n. A tangent must have more of its L1 norm left in the plane
@@ -77,32 +47,8 @@ uint unitvec_frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float paral
     float sum = abs(x) + abs(y);
     float least = parallel * norm;
     bool usable = unitvec_is_usable(norm) && sum > least;
-
-    // Odd quarter turns are entered where |x| is 0: there the side runs from |y| to |x|.
-    uint below = floatBitsToUint(y) & UNITVEC_SIGN_BIT;
-    uint odd = (floatBitsToUint(x) & UNITVEC_SIGN_BIT) ^ below;
-    float difference = abs(y) - abs(x);
-    float w = unitvec_signed_quotient(unitvec_flip_sign(difference, odd), sum);
-
-    float half_places = float(1u << (angle_bits - 3u));
-    float place = half_places * (unitvec_frame_unwarp(w, angle_bits) + 1.0) + UNITVEC_2_23;
-    uint quarters = (below >> (32u - angle_bits)) | (odd >> (33u - angle_bits));
-    // The last place of a quarter is the first one of the next, and that of the last quarter code 0.
-    uint code = (quarters + floatBitsToUint(place)) & unitvec_mask(angle_bits);
+    uint code = unitvec_diamond_code(x, y, sum, angle_bits);
     return usable ? code : 0u;
-}
-
-// Place of an angle's code in the plane of the basis: a point of the diamond |x| + |y| = 2.
-vec2 unitvec_frame_diamond_point(uint code, uint angle_bits) {
-    float place = float(code & unitvec_mask(angle_bits - 2u));
-    float v = place * unitvec_exp2(3 - int(angle_bits)) - 1.0;
-
-    uint odd = (code << (33u - angle_bits)) & UNITVEC_SIGN_BIT;
-    uint below = (code << (32u - angle_bits)) & UNITVEC_SIGN_BIT;
-    float w = unitvec_flip_sign(unitvec_frame_warp(v), odd);
-    float x = 1.0 - w;
-    float y = 1.0 + w;
-    return vec2(unitvec_flip_sign(x, odd ^ below), unitvec_flip_sign(y, below));
 }
 
 // Tangent of an angle's code, about the decoded normal n: unit length to within 2 ULP.
@@ -110,7 +56,7 @@ vec3 unitvec_frame_tangent(vec3 n, uint code, uint angle_bits) {
     vec3 first;
     vec3 second;
     unitvec_frame_basis(n, first, second);
-    vec2 p = unitvec_frame_diamond_point(code, angle_bits);
+    vec2 p = unitvec_diamond_point(code, angle_bits);
     vec3 t = first * p.x + second * p.y;
     return unitvec_normalize(t);
 }

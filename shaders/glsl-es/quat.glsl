@@ -151,12 +151,18 @@ uint unitvec_quat_field(uvec2 code, uint at, uint bits) {
     return ((code.x >> at) | high) & unitvec_mask(bits);
 }
 
+float unitvec_quat_kept(float x) {
+    return abs(x) < UNITVEC_NEGLIGIBLE ? 0.0 : x;
+}
+
 uvec2 unitvec_quat_encode(vec4 q, uint bits) {
     q = unitvec_quat_or_identity(q);
     uint chart = unitvec_quat_chart(q);
     vec4 turned = unitvec_quat_turn(q, chart);
     float scale = unitvec_negate_if(unitvec_is_negative(turned.x), unitvec_reciprocal(abs(turned.x)));
-    vec3 x = turned.yzw * scale;
+    vec3 all = turned.yzw * scale;
+    // No denormals, which devices may flush, tell one side of a cell from the other.
+    vec3 x = vec3(unitvec_quat_kept(all.x), unitvec_quat_kept(all.y), unitvec_quat_kept(all.z));
     uvec4 nearest = unitvec_quat_nearest(x, bits);
 
     uint low = unitvec_quat_layout(bits).x;

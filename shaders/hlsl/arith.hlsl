@@ -861,6 +861,67 @@ float unitvec_acos(float x) {
     return angle;
 }
 
+// diamond: angles as places on the diamond |x| + |y| = 1, without trigonometry.
+
+// With a, b, c the constants, w = v (a + b v^2 + c v^4), near tan(pi v / 4): equal steps of v are angles of
+// atan(w) that are equal but for 0.26 %. The sum of the three is 1.
+static const float UNITVEC_WARP_0 = 0.787353515625;
+static const float UNITVEC_WARP_1 = 0.15234375;
+static const float UNITVEC_WARP_2 = 0.060302734375;
+
+// The inverse of this stretching, v = w + w (1 - u) (a + u (b + u c)) with u = w^2: within 3.0e-5.
+static const float UNITVEC_UNWARP_0 = 0.27020066;
+static const float UNITVEC_UNWARP_1 = -0.13198552;
+static const float UNITVEC_UNWARP_2 = 0.0392082;
+
+// The place on a side of the diamond, -1 to 1, for v of -1 to 1.
+float unitvec_diamond_warp(float v) {
+    precise float u = v * v;
+    precise float w = v * (UNITVEC_WARP_0 + u * (UNITVEC_WARP_1 + u * UNITVEC_WARP_2));
+    return w;
+}
+
+// The inverse of unitvec_diamond_warp; for more than 9 bits of angle, with a step of Newton's method.
+float unitvec_diamond_unwarp(float w, uint bits) {
+    precise float u = w * w;
+    precise float v = w + w * ((1.0 - u) * (UNITVEC_UNWARP_0 + u * (UNITVEC_UNWARP_1 + u * UNITVEC_UNWARP_2)));
+    if (bits <= 9u) return v;
+    // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
+    precise float missing = (w - unitvec_diamond_warp(v)) * 1.2732395;
+    precise float slope = 1.0 + u;
+    precise float nearer = v + unitvec_signed_quotient(missing, slope);
+    return nearer;
+}
+
+// Code of the angle of (x, y) from +X towards +Y, for sum = |x| + |y|, a normal number below 2^126. The upper two of its
+// `bits` bits (4 to 21) count quarter turns.
+uint unitvec_diamond_code(float x, float y, float sum, uint bits) {
+    // Odd quarter turns are entered where |x| is 0: there the side runs from |y| to |x|.
+    uint below = asuint(y) & UNITVEC_SIGN_BIT;
+    uint odd = (asuint(x) & UNITVEC_SIGN_BIT) ^ below;
+    precise float difference = abs(y) - abs(x);
+    float w = unitvec_signed_quotient(unitvec_flip_sign(difference, odd), sum);
+
+    float half_places = float(1u << (bits - 3u));
+    precise float place = half_places * (unitvec_diamond_unwarp(w, bits) + 1.0) + UNITVEC_2_23;
+    uint quarters = (below >> (32u - bits)) | (odd >> (33u - bits));
+    // The last place of a quarter is the first one of the next, and that of the last quarter code 0.
+    return (quarters + asuint(place)) & unitvec_mask(bits);
+}
+
+// Place of an angle's code: a point of the diamond |x| + |y| = 2. Zeros may be -0.
+float2 unitvec_diamond_point(uint code, uint bits) {
+    float place = float(code & unitvec_mask(bits - 2u));
+    precise float v = place * unitvec_exp2(3 - int(bits)) - 1.0;
+
+    uint odd = (code << (33u - bits)) & UNITVEC_SIGN_BIT;
+    uint below = (code << (32u - bits)) & UNITVEC_SIGN_BIT;
+    float w = unitvec_flip_sign(unitvec_diamond_warp(v), odd);
+    precise float x = 1.0 - w;
+    precise float y = 1.0 + w;
+    return float2(unitvec_flip_sign(x, odd ^ below), unitvec_flip_sign(y, below));
+}
+
 // direction: the rule for usable directions.
 
 // Least L1 norm of a usable direction, 2^-64: far enough above the denormals that whether a device flushes them changes

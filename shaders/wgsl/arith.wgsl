@@ -726,6 +726,67 @@ fn unitvec_acos(x: f32) -> f32 {
     return angle;
 }
 
+// diamond: angles as places on the diamond |x| + |y| = 1, without trigonometry.
+
+// With a, b, c the constants, w = v (a + b v^2 + c v^4), near tan(pi v / 4): equal steps of v are angles of
+// atan(w) that are equal but for 0.26 %. The sum of the three is 1.
+const UNITVEC_WARP_0: f32 = 0.787353515625;
+const UNITVEC_WARP_1: f32 = 0.15234375;
+const UNITVEC_WARP_2: f32 = 0.060302734375;
+
+// The inverse of this stretching, v = w + w (1 - u) (a + u (b + u c)) with u = w^2: within 3.0e-5.
+const UNITVEC_UNWARP_0: f32 = 0.27020066;
+const UNITVEC_UNWARP_1: f32 = -0.13198552;
+const UNITVEC_UNWARP_2: f32 = 0.0392082;
+
+// The place on a side of the diamond, -1 to 1, for v of -1 to 1.
+fn unitvec_diamond_warp(v: f32) -> f32 {
+    let u = v * v;
+    let w = v * (UNITVEC_WARP_0 + u * (UNITVEC_WARP_1 + u * UNITVEC_WARP_2));
+    return w;
+}
+
+// The inverse of unitvec_diamond_warp; for more than 9 bits of angle, with a step of Newton's method.
+fn unitvec_diamond_unwarp(w: f32, bits: u32) -> f32 {
+    let u = w * w;
+    let v = w + w * ((1.0 - u) * (UNITVEC_UNWARP_0 + u * (UNITVEC_UNWARP_1 + u * UNITVEC_UNWARP_2)));
+    if bits <= 9u { return v; }
+    // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
+    let missing = (w - unitvec_diamond_warp(v)) * 1.2732395;
+    let slope = 1.0 + u;
+    let nearer = v + unitvec_signed_quotient(missing, slope);
+    return nearer;
+}
+
+// Code of the angle of (x, y) from +X towards +Y, for sum = |x| + |y|, a normal number below 2^126. The upper two of its
+// `bits` bits (4 to 21) count quarter turns.
+fn unitvec_diamond_code(x: f32, y: f32, sum: f32, bits: u32) -> u32 {
+    // Odd quarter turns are entered where |x| is 0: there the side runs from |y| to |x|.
+    let below = bitcast<u32>(y) & UNITVEC_SIGN_BIT;
+    let odd = (bitcast<u32>(x) & UNITVEC_SIGN_BIT) ^ below;
+    let difference = abs(y) - abs(x);
+    let w = unitvec_signed_quotient(unitvec_flip_sign(difference, odd), sum);
+
+    let half_places = f32(1u << (bits - 3u));
+    let place = half_places * (unitvec_diamond_unwarp(w, bits) + 1.0) + UNITVEC_2_23;
+    let quarters = (below >> (32u - bits)) | (odd >> (33u - bits));
+    // The last place of a quarter is the first one of the next, and that of the last quarter code 0.
+    return (quarters + bitcast<u32>(place)) & unitvec_mask(bits);
+}
+
+// Place of an angle's code: a point of the diamond |x| + |y| = 2. Zeros may be -0.
+fn unitvec_diamond_point(code: u32, bits: u32) -> vec2f {
+    let place = f32(code & unitvec_mask(bits - 2u));
+    let v = place * unitvec_exp2(3 - i32(bits)) - 1.0;
+
+    let odd = (code << (33u - bits)) & UNITVEC_SIGN_BIT;
+    let below = (code << (32u - bits)) & UNITVEC_SIGN_BIT;
+    let w = unitvec_flip_sign(unitvec_diamond_warp(v), odd);
+    let x = 1.0 - w;
+    let y = 1.0 + w;
+    return vec2f(unitvec_flip_sign(x, odd ^ below), unitvec_flip_sign(y, below));
+}
+
 // direction: the rule for usable directions.
 
 // Least L1 norm of a usable direction, 2^-64: far enough above the denormals that whether a device flushes them changes

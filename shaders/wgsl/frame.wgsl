@@ -16,17 +16,6 @@
 // of the decoded normal. Layout: the normal's x in the low 11 (21) bits, y in the next, two's complement snorm; then 9
 // (21) bits of the tangent's angle about the decoded normal; at the top 1 for a handedness of -1.
 
-// With a, b, c the constants, w = v (a + b v^2 + c v^4), near tan(pi v / 4): equal steps of v are angles of
-// atan(w) that are equal but for 0.26 %. The sum of the three is 1.
-const UNITVEC_WARP_0: f32 = 0.787353515625;
-const UNITVEC_WARP_1: f32 = 0.15234375;
-const UNITVEC_WARP_2: f32 = 0.060302734375;
-
-// The inverse of this stretching, v = w + w (1 - u) (a + u (b + u c)) with u = w^2: within 3.0e-5.
-const UNITVEC_UNWARP_0: f32 = 0.27020066;
-const UNITVEC_UNWARP_1: f32 = -0.13198552;
-const UNITVEC_UNWARP_2: f32 = 0.0392082;
-
 // Two unit vectors that make an orthonormal basis with the decoded normal n, whose z is not -0: right-handed, (first,
 // second, n).
 fn unitvec_frame_basis(n: vec3f, first: ptr<function, vec3f>, second: ptr<function, vec3f>) {
@@ -38,25 +27,6 @@ fn unitvec_frame_basis(n: vec3f, first: ptr<function, vec3f>, second: ptr<functi
     let f = vec3f(b, s + (n.y * n.y) * a, -n.y);
     *first = e;
     *second = f;
-}
-
-// The place on a side of the diamond, -1 to 1, for v of -1 to 1.
-fn unitvec_frame_warp(v: f32) -> f32 {
-    let u = v * v;
-    let w = v * (UNITVEC_WARP_0 + u * (UNITVEC_WARP_1 + u * UNITVEC_WARP_2));
-    return w;
-}
-
-// The inverse of unitvec_frame_warp; for more than 9 bits of angle, with a step of Newton's method.
-fn unitvec_frame_unwarp(w: f32, angle_bits: u32) -> f32 {
-    let u = w * w;
-    let v = w + w * ((1.0 - u) * (UNITVEC_UNWARP_0 + u * (UNITVEC_UNWARP_1 + u * UNITVEC_UNWARP_2)));
-    if angle_bits <= 9u { return v; }
-    // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
-    let missing = (w - unitvec_frame_warp(v)) * 1.2732395;
-    let slope = 1.0 + u;
-    let nearer = v + unitvec_signed_quotient(missing, slope);
-    return nearer;
 }
 
 // Code of the angle of `tangent` about the decoded normal n. A tangent must have more of its L1 norm left in the plane
@@ -71,32 +41,8 @@ fn unitvec_frame_angle_code(n: vec3f, tangent: vec3f, angle_bits: u32, parallel:
     let sum = abs(x) + abs(y);
     let least = parallel * norm;
     let usable = unitvec_is_usable(norm) && sum > least;
-
-    // Odd quarter turns are entered where |x| is 0: there the side runs from |y| to |x|.
-    let below = bitcast<u32>(y) & UNITVEC_SIGN_BIT;
-    let odd = (bitcast<u32>(x) & UNITVEC_SIGN_BIT) ^ below;
-    let difference = abs(y) - abs(x);
-    let w = unitvec_signed_quotient(unitvec_flip_sign(difference, odd), sum);
-
-    let half_places = f32(1u << (angle_bits - 3u));
-    let place = half_places * (unitvec_frame_unwarp(w, angle_bits) + 1.0) + UNITVEC_2_23;
-    let quarters = (below >> (32u - angle_bits)) | (odd >> (33u - angle_bits));
-    // The last place of a quarter is the first one of the next, and that of the last quarter code 0.
-    let code = (quarters + bitcast<u32>(place)) & unitvec_mask(angle_bits);
+    let code = unitvec_diamond_code(x, y, sum, angle_bits);
     return select(0u, code, usable);
-}
-
-// Place of an angle's code in the plane of the basis: a point of the diamond |x| + |y| = 2.
-fn unitvec_frame_diamond_point(code: u32, angle_bits: u32) -> vec2f {
-    let place = f32(code & unitvec_mask(angle_bits - 2u));
-    let v = place * unitvec_exp2(3 - i32(angle_bits)) - 1.0;
-
-    let odd = (code << (33u - angle_bits)) & UNITVEC_SIGN_BIT;
-    let below = (code << (32u - angle_bits)) & UNITVEC_SIGN_BIT;
-    let w = unitvec_flip_sign(unitvec_frame_warp(v), odd);
-    let x = 1.0 - w;
-    let y = 1.0 + w;
-    return vec2f(unitvec_flip_sign(x, odd ^ below), unitvec_flip_sign(y, below));
 }
 
 // Tangent of an angle's code, about the decoded normal n: unit length to within 2 ULP.
@@ -104,7 +50,7 @@ fn unitvec_frame_tangent(n: vec3f, code: u32, angle_bits: u32) -> vec3f {
     var first: vec3f;
     var second: vec3f;
     unitvec_frame_basis(n, &first, &second);
-    let p = unitvec_frame_diamond_point(code, angle_bits);
+    let p = unitvec_diamond_point(code, angle_bits);
     let t = first * p.x + second * p.y;
     return unitvec_normalize(t);
 }

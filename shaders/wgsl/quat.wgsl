@@ -146,13 +146,19 @@ fn unitvec_quat_field(code: vec2u, at: u32, bits: u32) -> u32 {
     return ((code.x >> at) | high) & unitvec_mask(bits);
 }
 
+fn unitvec_quat_kept(x: f32) -> f32 {
+    return select(x, 0.0, abs(x) < UNITVEC_NEGLIGIBLE);
+}
+
 fn unitvec_quat_encode(q_in: vec4f, bits: u32) -> vec2u {
     var q = q_in;
     q = unitvec_quat_or_identity(q);
     let chart = unitvec_quat_chart(q);
     let turned = unitvec_quat_turn(q, chart);
     let scale = unitvec_negate_if(unitvec_is_negative(turned.x), unitvec_reciprocal(abs(turned.x)));
-    let x = turned.yzw * scale;
+    let all = turned.yzw * scale;
+    // No denormals, which devices may flush, tell one side of a cell from the other.
+    let x = vec3f(unitvec_quat_kept(all.x), unitvec_quat_kept(all.y), unitvec_quat_kept(all.z));
     let nearest = unitvec_quat_nearest(x, bits);
 
     let low = unitvec_quat_layout(bits).x;

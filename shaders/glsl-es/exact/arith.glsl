@@ -871,6 +871,71 @@ float unitvec_acos(float x) {
     return angle;
 }
 
+// diamond: angles as places on the diamond |x| + |y| = 1, without trigonometry.
+
+// With a, b, c the constants, w = v (a + b v^2 + c v^4), near tan(pi v / 4): equal steps of v are angles of
+// atan(w) that are equal but for 0.26 %. The sum of the three is 1.
+const float UNITVEC_WARP_0 = 0.787353515625;
+const float UNITVEC_WARP_1 = 0.15234375;
+const float UNITVEC_WARP_2 = 0.060302734375;
+
+// The inverse of this stretching, v = w + w (1 - u) (a + u (b + u c)) with u = w^2: within 3.0e-5.
+const float UNITVEC_UNWARP_0 = 0.27020066;
+const float UNITVEC_UNWARP_1 = -0.13198552;
+const float UNITVEC_UNWARP_2 = 0.0392082;
+
+// The place on a side of the diamond, -1 to 1, for v of -1 to 1.
+float unitvec_diamond_warp(float v) {
+    float u = min(v * v, UNITVEC_HUGE);
+    float w = min(v * min(UNITVEC_WARP_0 + min(u * min(UNITVEC_WARP_1 + min(u * UNITVEC_WARP_2, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    return w;
+}
+
+// The inverse of unitvec_diamond_warp; for more than 9 bits of angle, with a step of Newton's method.
+float unitvec_diamond_unwarp(float w, uint bits) {
+    float u = min(w * w, UNITVEC_HUGE);
+    float v = min(w + min(w * min(min(1.0 - u, UNITVEC_HUGE) * min(UNITVEC_UNWARP_0
+        + min(u * min(UNITVEC_UNWARP_1 + min(u * UNITVEC_UNWARP_2, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    if (bits <= 9u) return v;
+    // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
+    float missing = min(min(w - unitvec_diamond_warp(v), UNITVEC_HUGE) * 1.2732395, UNITVEC_HUGE);
+    float slope = min(1.0 + u, UNITVEC_HUGE);
+    float nearer = min(v + unitvec_signed_quotient(missing, slope), UNITVEC_HUGE);
+    return nearer;
+}
+
+// Code of the angle of (x, y) from +X towards +Y, for sum = |x| + |y|, a normal number below 2^126. The upper two of its
+// `bits` bits (4 to 21) count quarter turns.
+uint unitvec_diamond_code(float x, float y, float sum, uint bits) {
+    // Odd quarter turns are entered where |x| is 0: there the side runs from |y| to |x|.
+    uint below = floatBitsToUint(y) & UNITVEC_SIGN_BIT;
+    uint odd = (floatBitsToUint(x) & UNITVEC_SIGN_BIT) ^ below;
+    float difference = min(abs(y) - abs(x), UNITVEC_HUGE);
+    float w = unitvec_signed_quotient(unitvec_flip_sign(difference, odd), sum);
+
+    float half_places = float(1u << (bits - 3u));
+    float place = min(min(half_places * min(unitvec_diamond_unwarp(w, bits) + 1.0, UNITVEC_HUGE), UNITVEC_HUGE)
+        + UNITVEC_2_23, UNITVEC_HUGE);
+    uint quarters = (below >> (32u - bits)) | (odd >> (33u - bits));
+    // The last place of a quarter is the first one of the next, and that of the last quarter code 0.
+    return (quarters + floatBitsToUint(place)) & unitvec_mask(bits);
+}
+
+// Place of an angle's code: a point of the diamond |x| + |y| = 2. Zeros may be -0.
+vec2 unitvec_diamond_point(uint code, uint bits) {
+    float place = float(code & unitvec_mask(bits - 2u));
+    float v = min(min(place * unitvec_exp2(3 - int(bits)), UNITVEC_HUGE) - 1.0, UNITVEC_HUGE);
+
+    uint odd = (code << (33u - bits)) & UNITVEC_SIGN_BIT;
+    uint below = (code << (32u - bits)) & UNITVEC_SIGN_BIT;
+    float w = unitvec_flip_sign(unitvec_diamond_warp(v), odd);
+    float x = min(1.0 - w, UNITVEC_HUGE);
+    float y = min(1.0 + w, UNITVEC_HUGE);
+    return vec2(unitvec_flip_sign(x, odd ^ below), unitvec_flip_sign(y, below));
+}
+
 // direction: the rule for usable directions.
 
 // Least L1 norm of a usable direction, 2^-64: far enough above the denormals that whether a device flushes them changes

@@ -156,12 +156,18 @@ inline uint unitvec_quat_field(uint2 code, uint at, uint bits) {
     return ((code.x >> at) | high) & unitvec_mask(bits);
 }
 
+inline float unitvec_quat_kept(float x) {
+    return abs(x) < UNITVEC_NEGLIGIBLE ? 0.0f : x;
+}
+
 inline uint2 unitvec_quat_encode(float4 q, uint bits) {
     q = unitvec_quat_or_identity(q);
     uint chart = unitvec_quat_chart(q);
     float4 turned = unitvec_quat_turn(q, chart);
     float scale = unitvec_negate_if(unitvec_is_negative(turned.x), unitvec_reciprocal(abs(turned.x)));
-    float3 x = min(turned.yzw * scale, float3(UNITVEC_HUGE));
+    float3 all = min(turned.yzw * scale, float3(UNITVEC_HUGE));
+    // No denormals, which devices may flush, tell one side of a cell from the other.
+    float3 x = float3(unitvec_quat_kept(all.x), unitvec_quat_kept(all.y), unitvec_quat_kept(all.z));
     uint4 nearest = unitvec_quat_nearest(x, bits);
 
     uint low = unitvec_quat_layout(bits).x;

@@ -869,6 +869,71 @@ fn unitvec_acos(x: f32) -> f32 {
     return angle;
 }
 
+// diamond: angles as places on the diamond |x| + |y| = 1, without trigonometry.
+
+// With a, b, c the constants, w = v (a + b v^2 + c v^4), near tan(pi v / 4): equal steps of v are angles of
+// atan(w) that are equal but for 0.26 %. The sum of the three is 1.
+const UNITVEC_WARP_0: f32 = 0.787353515625;
+const UNITVEC_WARP_1: f32 = 0.15234375;
+const UNITVEC_WARP_2: f32 = 0.060302734375;
+
+// The inverse of this stretching, v = w + w (1 - u) (a + u (b + u c)) with u = w^2: within 3.0e-5.
+const UNITVEC_UNWARP_0: f32 = 0.27020066;
+const UNITVEC_UNWARP_1: f32 = -0.13198552;
+const UNITVEC_UNWARP_2: f32 = 0.0392082;
+
+// The place on a side of the diamond, -1 to 1, for v of -1 to 1.
+fn unitvec_diamond_warp(v: f32) -> f32 {
+    let u = min(v * v, UNITVEC_HUGE);
+    let w = min(v * min(UNITVEC_WARP_0 + min(u * min(UNITVEC_WARP_1 + min(u * UNITVEC_WARP_2, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    return w;
+}
+
+// The inverse of unitvec_diamond_warp; for more than 9 bits of angle, with a step of Newton's method.
+fn unitvec_diamond_unwarp(w: f32, bits: u32) -> f32 {
+    let u = min(w * w, UNITVEC_HUGE);
+    let v = min(w + min(w * min(min(1.0 - u, UNITVEC_HUGE) * min(UNITVEC_UNWARP_0
+        + min(u * min(UNITVEC_UNWARP_1 + min(u * UNITVEC_UNWARP_2, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    if bits <= 9u { return v; }
+    // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
+    let missing = min(min(w - unitvec_diamond_warp(v), UNITVEC_HUGE) * 1.2732395, UNITVEC_HUGE);
+    let slope = min(1.0 + u, UNITVEC_HUGE);
+    let nearer = min(v + unitvec_signed_quotient(missing, slope), UNITVEC_HUGE);
+    return nearer;
+}
+
+// Code of the angle of (x, y) from +X towards +Y, for sum = |x| + |y|, a normal number below 2^126. The upper two of its
+// `bits` bits (4 to 21) count quarter turns.
+fn unitvec_diamond_code(x: f32, y: f32, sum: f32, bits: u32) -> u32 {
+    // Odd quarter turns are entered where |x| is 0: there the side runs from |y| to |x|.
+    let below = bitcast<u32>(y) & UNITVEC_SIGN_BIT;
+    let odd = (bitcast<u32>(x) & UNITVEC_SIGN_BIT) ^ below;
+    let difference = min(abs(y) - abs(x), UNITVEC_HUGE);
+    let w = unitvec_signed_quotient(unitvec_flip_sign(difference, odd), sum);
+
+    let half_places = f32(1u << (bits - 3u));
+    let place = min(min(half_places * min(unitvec_diamond_unwarp(w, bits) + 1.0, UNITVEC_HUGE), UNITVEC_HUGE)
+        + UNITVEC_2_23, UNITVEC_HUGE);
+    let quarters = (below >> (32u - bits)) | (odd >> (33u - bits));
+    // The last place of a quarter is the first one of the next, and that of the last quarter code 0.
+    return (quarters + bitcast<u32>(place)) & unitvec_mask(bits);
+}
+
+// Place of an angle's code: a point of the diamond |x| + |y| = 2. Zeros may be -0.
+fn unitvec_diamond_point(code: u32, bits: u32) -> vec2f {
+    let place = f32(code & unitvec_mask(bits - 2u));
+    let v = min(min(place * unitvec_exp2(3 - i32(bits)), UNITVEC_HUGE) - 1.0, UNITVEC_HUGE);
+
+    let odd = (code << (33u - bits)) & UNITVEC_SIGN_BIT;
+    let below = (code << (32u - bits)) & UNITVEC_SIGN_BIT;
+    let w = unitvec_flip_sign(unitvec_diamond_warp(v), odd);
+    let x = min(1.0 - w, UNITVEC_HUGE);
+    let y = min(1.0 + w, UNITVEC_HUGE);
+    return vec2f(unitvec_flip_sign(x, odd ^ below), unitvec_flip_sign(y, below));
+}
+
 // direction: the rule for usable directions.
 
 // Least L1 norm of a usable direction, 2^-64: far enough above the denormals that whether a device flushes them changes
