@@ -1,5 +1,5 @@
-// unitvec: all codec families, in the order of the list of codecs, formats, null codes and dither. See the family's file
-// for its functions.
+// unitvec: all codec families, in the order of the list of codecs, formats, null codes, caps and dither. See the family's
+// file for its functions.
 
 #include "arith.glsl"
 #include "oct.glsl"
@@ -24,4 +24,5 @@
 #include "frame.glsl"
 #include "formats.glsl"
 #include "or_null.glsl"
+#include "cap.glsl"
 #include "dither.glsl"

@@ -132,6 +132,7 @@ mod list;
 pub mod slice;
 #[cfg(not(target_arch = "spirv"))]
 pub mod table;
+pub mod wrap;
 
 #[cfg(not(target_arch = "spirv"))]
 pub use angle::angle_deg;

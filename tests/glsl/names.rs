@@ -7,8 +7,8 @@ use std::collections::BTreeSet;
 use unitvec_catalogue::{CODECS, Operation};
 use unitvec_tests::{glsl_families, repository};
 
-/// The functions besides projections: precise encoders, the survey's bytes, and null codes.
-const OTHERS: [(&str, &str); 14] = [
+/// The functions besides projections: precise encoders, the survey's bytes, null codes, and caps.
+const OTHERS: [(&str, &str); 22] = [
     ("oct.glsl", "float32x3_to_octn_precise"),
     ("eaoct.glsl", "float32x3_to_eaoctn_precise"),
     ("hemioct.glsl", "float32x3_to_hemioctn_precise"),
@@ -23,6 +23,14 @@ const OTHERS: [(&str, &str); 14] = [
     ("or_null.glsl", "vector_or_zero"),
     ("or_null.glsl", "code_or_null_wide"),
     ("or_null.glsl", "vector_or_zero_wide"),
+    ("cap.glsl", "cap_about"),
+    ("cap.glsl", "cap_to_hemisphere"),
+    ("cap.glsl", "hemisphere_to_cap"),
+    ("cap.glsl", "cap_to_sphere"),
+    ("cap.glsl", "sphere_to_cap"),
+    ("cap.glsl", "dense_about"),
+    ("cap.glsl", "dense_to_sphere"),
+    ("cap.glsl", "sphere_to_dense"),
 ];
 
 /// All public functions besides those of the codecs, and their files.

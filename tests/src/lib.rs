@@ -61,7 +61,7 @@ pub fn glsl_families() -> BTreeSet<String> {
     CODECS
         .iter()
         .map(AnyCodec::glsl_file)
-        .chain(["dither.glsl", "formats.glsl", "or_null.glsl"].map(str::to_owned))
+        .chain(["cap.glsl", "dither.glsl", "formats.glsl", "or_null.glsl"].map(str::to_owned))
         .collect()
 }
 
