@@ -29,4 +29,5 @@
 #include "axial.glsl"
 #include "angle.glsl"
 #include "with_length.glsl"
+#include "cap.glsl"
 #include "dither.glsl"
