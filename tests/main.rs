@@ -4,6 +4,7 @@ mod accuracy;
 mod azimuthal;
 mod best_fit;
 mod c_abi;
+mod caps;
 mod cli;
 mod client;
 mod components;

@@ -37,8 +37,8 @@ fn axes_apart(a: Vec3, b: Vec3) -> f64 {
     angle.min(180.0 - angle)
 }
 
-/// v, -v, the decoded vector and its opposite have one code, so that no two codes that encoders write are of one axis. The error
-/// is within the bound.
+/// v, -v, the decoded vector and its opposite have one code, so that no two codes that encoders write are of one axis.
+/// The error is within the bound.
 #[test]
 fn an_axis_has_one_code() {
     fn check<C: Codec>() {
@@ -55,7 +55,8 @@ fn an_axis_has_one_code() {
     check::<Axial32>();
 }
 
-/// Every code comes back as the code of its axis. Of 255^2 points of the hemisphere's square, half of the border is left out.
+/// Every code comes back as the code of its axis. Of 255^2 points of the hemisphere's square, half of the border is
+/// left out.
 #[test]
 fn all_axes_of_16_bits() {
     let is_written = |code: &u64| {
@@ -102,7 +103,7 @@ fn degrees_apart(v: Vec2, degrees: f64) -> f64 {
     turn.min(360.0 - turn)
 }
 
-/// The angle of a code in degrees. Of the diamond it is that of the polynomial that the module `frame` states, in float64.
+/// The angle of a code in degrees. Of the diamond it is that of the polynomial of `arith`, in float64.
 fn place_deg(code: u32, bits: u32, is_equal: bool) -> f64 {
     let quarters = f64::from(code) / f64::from(1u32 << (bits - 2));
     let v = 2.0 * quarters.fract() - 1.0;
@@ -112,8 +113,9 @@ fn place_deg(code: u32, bits: u32, is_equal: bool) -> f64 {
     if is_equal { 90.0 * quarters } else { place }
 }
 
-/// Codes are at their places and come back; errors keep to the bound, which is near that of the best code, and their mean is half
-/// of it. Axes and diagonals are exact, with zeros of any kind. Vectors without a direction get the code of +X.
+/// Codes are at their places and come back; errors keep to the bound, which is near that of the best code, and their
+/// mean is half of it. Axes and diagonals are exact, with zeros of any kind. Vectors without a direction get the code
+/// of +X.
 #[test]
 fn directions_of_the_plane() {
     fn check<const BITS: u32, const EQUAL: bool>() {
@@ -163,8 +165,8 @@ fn step<const S: u32, const L: i32>(i: u64) -> f64 {
     (f64::from(L) + i as f64 / f64::from(S)).exp2()
 }
 
-/// Every length is the power of two that the module states, to 4e-7, and comes back with its direction. Along the axes whole
-/// powers are exact. Lengths beyond the range, zero, infinity and NaN are what the module says.
+/// Every length is the power of two that the module states, to 4e-7, and comes back with its direction. Along the axes
+/// whole powers are exact. Lengths beyond the range, zero, infinity and NaN are what the module says.
 #[test]
 fn lengths_are_powers_of_two_and_clamped() {
     fn check<C: Codec, W: RawCode, const B: u32, const S: u32, const L: i32>() {
@@ -212,8 +214,8 @@ fn long_and_short(seed: u64, count: usize) -> impl Iterator<Item = Vec3> {
     sphere(seed + 1, count).map(move |v| v * rng.range(-13.0, 15.0).exp2() as f32)
 }
 
-/// The signed analogue of R9G9B9E5 (Khronos Data Format 1.3, 10.3.1): a sign and 8 bits a component, 5 bits of exponent with
-/// the bias 15. A component is a whole multiple of `2^(exponent - 15 - 8)`.
+/// The signed analogue of R9G9B9E5 (Khronos Data Format 1.3, 10.3.1): a sign and 8 bits a component, 5 bits of exponent
+/// with the bias 15. A component is a whole multiple of `2^(exponent - 15 - 8)`.
 fn shared_exponent(v: Vec3) -> Vec3 {
     let largest = v.abs().max_element();
     let of = |exponent: i32| 2f32.powi(exponent - 23);
@@ -255,7 +257,9 @@ fn relative_errors_are_those_stated() {
 fn wrappers_in_glsl_have_the_bits_of_rust() {
     use crate::glsl::assert_same_words;
     type Beside = WithLength<OctPrecise20, u32, 10, 32, -20>;
-    let encoders: [(&str, fn(Vec3) -> u32); 12] = [
+    type Encode = fn(Vec3) -> u32;
+    type Decode = fn([u32; 3]) -> Vec3;
+    let encoders: [(&str, Encode); 12] = [
         ("axial16_encode(v)", Axial16::encode_vec3),
         ("axial24_encode(v)", Axial24::encode_vec3),
         ("axial32_encode(v)", Axial32::encode_vec3),
@@ -276,7 +280,7 @@ fn wrappers_in_glsl_have_the_bits_of_rust() {
         vectors(73).chain(long_and_short(74, 20_000)).map(|v| v.to_array().map(f32::to_bits)).collect();
     assert_same_words(&calls, &words);
 
-    let decoders: [(&str, fn([u32; 3]) -> Vec3); 11] = [
+    let decoders: [(&str, Decode); 11] = [
         ("axial16_decode(w.x)", |w| Axial16::decode(w[0])),
         ("axial24_decode(w.x)", |w| Axial24::decode(w[0])),
         ("axial32_decode(w.x)", |w| Axial32::decode(w[0])),

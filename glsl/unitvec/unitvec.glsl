@@ -1,5 +1,5 @@
-// unitvec: all codec families, in the order of the list of codecs, formats, null codes, wrappers and dither. See the family's file
-// for its functions.
+// unitvec: all codec families, in the order of the list of codecs, formats, null codes, wrappers and dither. See the
+// family's file for its functions.
 
 #include "arith.glsl"
 #include "oct.glsl"
@@ -29,4 +29,5 @@
 #include "axial.glsl"
 #include "angle.glsl"
 #include "with_length.glsl"
+#include "cap.glsl"
 #include "dither.glsl"

@@ -232,8 +232,8 @@ pub(crate) const fn hypotenuse_bound(d: f32, e: f32) -> f32 {
     0.5 * (third + ratio(square, third))
 }
 
-/// An upper bound of the tangent's error, in degrees: the tilt, the angle's error in the plane, and 2^-22 radians for the
-/// arithmetic of the basis, the products with it and the decoded tangent.
+/// An upper bound of the tangent's error, in degrees: the tilt, the angle's error in the plane, and 2^-22 radians for
+/// the arithmetic of the basis, the products with it and the decoded tangent.
 const fn tangent_error_bound(normal_error_deg: f32, angle_bits: u32) -> f32 {
     hypotenuse_bound(normal_error_deg, (diamond_error(angle_bits) + 1.0 / 4_194_304.0).to_degrees())
 }

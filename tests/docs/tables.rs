@@ -336,7 +336,7 @@ fn nulls() -> String {
 
 /// The error that no code can beat, and how far above it some are.
 fn bound() -> String {
-    let ids = ["icoN", "fibN", "eaoctNp", "latlongNd", "octNp", "octN"];
+    let ids = ["icoN", "hexcubeN", "fibN", "eaoctNp", "latlongNd", "octNp", "octN"];
     let rows = [16, 24, 32].map(|bits: u32| {
         let (mean, max) = covering_bound_deg(bits, Domain::Sphere);
         let cells = ids.map(|id| {

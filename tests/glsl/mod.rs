@@ -1,5 +1,6 @@
 //! The GLSL: the includes compile, and all functions give the crate's bits.
 
+mod caps;
 pub mod dither;
 mod examples;
 mod floats;

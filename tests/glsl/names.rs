@@ -7,8 +7,8 @@ use std::collections::BTreeSet;
 use unitvec_catalogue::{CODECS, Operation};
 use unitvec_tests::{glsl_families, repository};
 
-/// The functions besides projections: precise encoders, the survey's bytes, null codes and lengths.
-const OTHERS: [(&str, &str); 17] = [
+/// The functions besides projections: precise encoders, the survey's bytes, null codes, lengths and caps.
+const OTHERS: [(&str, &str); 25] = [
     ("oct.glsl", "float32x3_to_octn_precise"),
     ("eaoct.glsl", "float32x3_to_eaoctn_precise"),
     ("hemioct.glsl", "float32x3_to_hemioctn_precise"),
@@ -26,6 +26,14 @@ const OTHERS: [(&str, &str); 17] = [
     ("with_length.glsl", "code_of_length"),
     ("with_length.glsl", "length_of_code"),
     ("with_length.glsl", "with_reach"),
+    ("cap.glsl", "cap_about"),
+    ("cap.glsl", "cap_to_hemisphere"),
+    ("cap.glsl", "hemisphere_to_cap"),
+    ("cap.glsl", "cap_to_sphere"),
+    ("cap.glsl", "sphere_to_cap"),
+    ("cap.glsl", "dense_about"),
+    ("cap.glsl", "dense_to_sphere"),
+    ("cap.glsl", "sphere_to_dense"),
 ];
 
 /// The formats of the wrappers, which encode and decode as codecs do.

@@ -62,8 +62,16 @@ pub fn glsl_families() -> BTreeSet<String> {
         .iter()
         .map(AnyCodec::glsl_file)
         .chain(
-            ["dither.glsl", "formats.glsl", "or_null.glsl", "axial.glsl", "angle.glsl", "with_length.glsl"]
-                .map(str::to_owned),
+            [
+                "cap.glsl",
+                "dither.glsl",
+                "formats.glsl",
+                "or_null.glsl",
+                "axial.glsl",
+                "angle.glsl",
+                "with_length.glsl",
+            ]
+            .map(str::to_owned),
         )
         .collect()
 }

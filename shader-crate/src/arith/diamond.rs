@@ -6,8 +6,8 @@ use glam::Vec2;
 
 coefficients! {
     /// `w = v (WARP_0 + WARP_1 v^2 + WARP_2 v^4)`, near `tan(pi v / 4)`: equal steps of v from -1 to 1 are angles of
-    /// `atan(w)` that are equal but for 0.26 %. The least maximum that three terms allow is 0.25 %; these are rounded to
-    /// multiples of 2^-12 so that their sum is 1 and both ends are exact.
+    /// `atan(w)` that are equal but for 0.26 %. The least maximum that three terms allow is 0.25 %; these are rounded
+    /// to multiples of 2^-12 so that their sum is 1 and both ends are exact.
     pub WARP_0 = 3225.0 / 4096.0, WARP_1 = 624.0 / 4096.0, WARP_2 = 247.0 / 4096.0;
 
     /// The inverse warp, `v = w + w (1 - u) (UNWARP_0 + u (UNWARP_1 + u UNWARP_2))` with `u = w^2`: within 3.0e-5.
@@ -34,8 +34,8 @@ fn unwarp<const BITS: u32>(w: f32) -> f32 {
     v + signed_quotient((w - warp(v)) * (FRAC_2_PI * 2.0), 1.0 + u)
 }
 
-/// The code of the angle of (x, y) from +X towards +Y, for `sum = |x| + |y|`, a normal number below 2^126. The upper two of
-/// its `BITS` bits (4 to 21) count quarter turns.
+/// The code of the angle of (x, y) from +X towards +Y, for `sum = |x| + |y|`, a normal number below 2^126. The upper
+/// two of its `BITS` bits (4 to 21) count quarter turns.
 #[inline(always)]
 pub(crate) fn diamond_code<const BITS: u32>(x: f32, y: f32, sum: f32) -> u32 {
     // Odd quarter turns are entered where |x| is 0: there the side runs from |y| to |x|.

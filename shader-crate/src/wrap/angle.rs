@@ -4,7 +4,8 @@
 //!
 //! A code is the number of steps, `2^bits` to the turn, from +X towards +Y. `angle8` and `angle16`, of
 //! [`frame`](crate::frame)'s diamond, have steps that are equal but for 0.26 %, by a quotient, a polynomial and a root;
-//! `eqangle8` and `eqangle16`, by the trigonometry of `arith`, equal ones. No code has a lower maximum than `180 / 2^bits` degrees, or a lower mean than half of it.
+//! `eqangle8` and `eqangle16`, by the trigonometry of `arith`, equal ones. No code has a lower
+//! maximum than `180 / 2^bits` degrees, or a lower mean than half of it.
 //!
 //! | degrees | mean | max | bound | `180 / 2^bits` |
 //! |---|---|---|---|---|
@@ -13,10 +14,11 @@
 //! | `angle16` | 0.00137 | 0.00276 | 0.00278 | 0.00275 |
 //! | `eqangle16` | 0.00137 | 0.00275 | 0.00277 | 0.00275 |
 //!
-//! * Decoded vectors have unit length to within 2 ULP, and encode to their code. The four axes are exact; on the diagonals
-//!   both magnitudes are the same.
+//! * Decoded vectors have unit length to within 2 ULP, and encode to their code. The four axes are exact; on the
+//!   diagonals both magnitudes are the same.
 //! * The two kinds place a code up to 0.0434 degrees apart: one's codes are not the other's.
-//! * A vector's length does not matter. One without a usable direction (see [`direction`](crate::direction)) gets code 0, +X.
+//! * A vector's length does not matter. One without a usable direction (see [`direction`](crate::direction)) gets code
+//!   0, +X.
 //!
 //! ```
 //! use unitvec::Angle8;

@@ -1,7 +1,7 @@
 //! Axes: directions for which v and -v are the same, such as fibres, crystal axes and the normals of thin leaves.
 //!
-//! An axis has one end in half of the sphere, so that the codes of a hemisphere serve, with their error: of the angle `e`
-//! between an encoded and a decoded vector, it is `min(e, 180 - e)`.
+//! An axis has one end in half of the sphere, so that the codes of a hemisphere serve, with their error: of the angle
+//! `e` between an encoded and a decoded vector, it is `min(e, 180 - e)`.
 //!
 //! | degrees | mean | max | bound |
 //! |---|---|---|---|
@@ -11,12 +11,12 @@
 //! | [`oct16p`](crate::oct), which tells v from -v | 0.315 | 0.638 | 0.638 |
 //!
 //! * Layout: that of [`hemioct`](crate::hemioct), whose decoder decodes. An encoder writes one code for an axis, of the
-//!   end whose first component that is not 0, of z, x and y in this order, is positive. (The code of the other end of an
-//!   axis on the equator, z = 0, is never written, and decodes to that end.)
+//!   end whose first component that is not 0, of z, x and y in this order, is positive. (The code of the other end of
+//!   an axis on the equator, z = 0, is never written, and decodes to that end.)
 //! * The axes of the coordinates are exact. What an encoder writes decodes to a vector that encodes to the same code.
 //! * A vector without a usable direction gets the code of Z. [`OrNull`](crate::OrNull) tells it apart.
-//! * Weakness: a decoded vector jumps to its opposite where an axis crosses the equator. Compare and average neighbours as
-//!   axes, by `v v^T` or after turning one to the other.
+//! * Weakness: a decoded vector jumps to its opposite where an axis crosses the equator. Compare and average neighbours
+//!   as axes, by `v v^T` or after turning one to the other.
 //!
 //! ```
 //! use unitvec::{Axial16, Codec};
@@ -39,10 +39,11 @@ fn end(v: Vec3) -> Vec3 {
     if is_negative(if counts(v.z) { v.z } else { horizontal }) { -v } else { v }
 }
 
-/// `code` of `bits` bits, or that of the opposite direction if it is one of the equator with x < 0, or with x = 0 and y < 0.
+/// `code` of `bits` bits, or that of the opposite direction if it is one of the equator with x < 0, or with x = 0 and
+/// y < 0.
 ///
-/// The equator is the border of the square, where one of x + y and x - y is m or -m. Of its ends, the one sought has m as the
-/// first or, unless the first is -m, as the second.
+/// The equator is the border of the square, where one of x + y and x - y is m or -m. Of its ends, the one sought has m
+/// as the first or, unless the first is -m, as the second.
 #[inline(always)]
 fn one_of_two(code: u32, bits: u32) -> u32 {
     let (half, most, whole) = (bits / 2, mask(bits / 2 - 1), mask(bits / 2));

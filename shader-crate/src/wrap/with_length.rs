@@ -1,7 +1,8 @@
 //! Vectors with a length, such as velocities and forces: a codec's direction beside the logarithm of the length.
 //!
-//! A length is rounded to the nearest of `2^(L + i / S)`, i = 0, 1, 2 ..., so that the relative error is alike for all lengths:
-//! at most `2^(1 / (2 S)) - 1`. (Half floats, for 32 octaves in 15 bits, err by up to 4.9e-4; 16 bits here by 1.7e-4.)
+//! A length is rounded to the nearest of `2^(L + i / S)`, i = 0, 1, 2 ..., so that the relative error is alike for all
+//! lengths: at most `2^(1 / (2 S)) - 1`. (Half floats, for 32 octaves in 15 bits, err by up to 4.9e-4; 16 bits here by
+//! 1.7e-4.)
 //!
 //! | format | direction | bits of length | S | lengths | relative error, mean | max | bound |
 //! |---|---|---|---|---|---|---|---|
@@ -11,8 +12,9 @@
 //! | `vector48` | [`oct32p`](crate::oct) | 16 | 2048 | 2^-16 to 2^15.999 | 8.95e-5 | 0.000175 | 0.000177 |
 //! | three halves | | | | | 0.000191 | 0.000545 | |
 //!
-//! The relative error is `|d - v| / |v|`, of a vector v and the decoded one, d, over random directions and lengths from 2^-13
-//! to 2^15 whose logarithm is uniform. R9G9B9E5 has no signs; its signed analogue has a sign and 8 bits a component.
+//! The relative error is `|d - v| / |v|`, of a vector v and the decoded one, d, over random directions and lengths from
+//! 2^-13 to 2^15 whose logarithm is uniform. R9G9B9E5 has no signs; its signed analogue has a sign and 8 bits a
+//! component.
 //!
 //! * Bound: with an angle `a` between them, and d longer than v by the part e, `|d - v|^2 / |v|^2` is
 //!   `e^2 + (1 + e) (2 sin(a / 2))^2`, so that the error is at most `sqrt(e^2 + (1 + e) a^2)`.
@@ -20,10 +22,11 @@
 //! * Layout: the direction's code in the low bits, above it 0 for the zero vector or `i + 1`. More than 32 bits are two
 //!   words, low word first.
 //! * Exact: zero, and vectors along the axes whose length is a power of two in the range.
-//! * Beyond the range: greater lengths, infinite ones too, get the greatest. Lesser ones get the least, down to half of it
-//!   (to half a step); below that a vector is zero, as is one with NaN. Infinite components count as the largest float.
-//! * Decode, encode and decode again: the second vector equals the first. This holds for octahedral codecs of up to 32 bits,
-//!   and for all whose decoded vectors may be rounded without a change of their code.
+//! * Beyond the range: greater lengths, infinite ones too, get the greatest. Lesser ones get the least, down to half of
+//!   it (to half a step); below that a vector is zero, as is one with NaN. Infinite components count as the largest
+//!   float.
+//! * Decode, encode and decode again: the second vector equals the first. This holds for octahedral codecs of up to 32
+//!   bits, and for all whose decoded vectors may be rounded without a change of their code.
 //!
 //! ```
 //! use unitvec::{Codec, Vector32};
@@ -43,12 +46,12 @@ use core::marker::PhantomData;
 use glam::Vec3;
 
 coefficients! {
-    /// `log2(1 + f) = f + f (1 - f) (LOG_0 + f (LOG_1 + ... + f LOG_4))`, for f in \[0, 1\]: absolute error 2.3e-6, 0.0023 of
-    /// a step of 2048 to the octave. The factors make both ends exact.
+    /// `log2(1 + f) = f + f (1 - f) (LOG_0 + f (LOG_1 + ... + f LOG_4))`, for f in \[0, 1\]: absolute error 2.3e-6,
+    /// 0.0023 of a step of 2048 to the octave. The factors make both ends exact.
     pub LOG_0 = 0.44254494, LOG_1 = -0.2756003, LOG_2 = 0.18194889, LOG_3 = -0.09595646, LOG_4 = 0.02584145;
 
-    /// `2^g = 1 + g - g (1 - g) (EXP_0 + g (EXP_1 + g (EXP_2 + g EXP_3)))`, for g in \[0, 1\]: relative error 9.3e-8 before
-    /// rounding. The factors make both ends exact.
+    /// `2^g = 1 + g - g (1 - g) (EXP_0 + g (EXP_1 + g (EXP_2 + g EXP_3)))`, for g in \[0, 1\]: relative error 9.3e-8
+    /// before rounding. The factors make both ends exact.
     pub EXP_0 = 0.30684826, EXP_1 = 0.06668899, EXP_2 = 0.010870314, EXP_3 = 0.0018793186;
 }
 
@@ -64,8 +67,8 @@ fn log2(x: f32) -> f32 {
     whole as f32 + (f + (f * (1.0 - f)) * polynomial)
 }
 
-/// The code of the length of `v`, of this L1 norm, in `bits` bits: of the nearest of `2^(low + i / steps)`, as the module
-/// describes. `steps` is a power of two.
+/// The code of the length of `v`, of this L1 norm, in `bits` bits: of the nearest of `2^(low + i / steps)`, as the
+/// module describes. `steps` is a power of two.
 #[inline(always)]
 fn length_code(v: Vec3, norm: f32, bits: u32, steps: u32, low: i32) -> u32 {
     let v = scaled_to_one(v, norm);
@@ -92,8 +95,8 @@ fn length(code: u32, steps: u32, low: i32) -> f32 {
     ((1.0 + g) - (g * (1.0 - g)) * polynomial) * exp2(low + (i >> octaves) as i32)
 }
 
-/// `v`, or a shorter vector of its direction if its L1 norm, `norm`, is far beyond the range: finite, so that it has a usable
-/// direction.
+/// `v`, or a shorter vector of its direction if its L1 norm, `norm`, is far beyond the range: finite, so that it has a
+/// usable direction.
 #[inline(always)]
 fn within_reach(v: Vec3, norm: f32) -> Vec3 {
     let finite = |x: f32| with_sign(f32::from_bits((x.to_bits() & !SIGN_BIT).min(f32::MAX.to_bits())), x);
@@ -101,8 +104,8 @@ fn within_reach(v: Vec3, norm: f32) -> Vec3 {
     if norm.to_bits() < FAR.to_bits() { v } else { shorter }
 }
 
-/// The codec `C`, of up to 32 bits, with the vector's length in `LENGTH_BITS` bits above: `STEPS` to an octave, a power of two,
-/// from `2^LOW` on. `W` is the code: `u32` for up to 32 bits in all, else `[u32; 2]`.
+/// The codec `C`, of up to 32 bits, with the vector's length in `LENGTH_BITS` bits above: `STEPS` to an octave, a power
+/// of two, from `2^LOW` on. `W` is the code: `u32` for up to 32 bits in all, else `[u32; 2]`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct WithLength<C, W, const LENGTH_BITS: u32, const STEPS: u32, const LOW: i32>(PhantomData<(C, W)>);
 
@@ -117,8 +120,8 @@ pub type Vector48 = WithLength<OctPrecise<32>, [u32; 2], 16, 2048, -16>;
 impl<C: Codec, W: RawCode, const LENGTH_BITS: u32, const STEPS: u32, const LOW: i32>
     WithLength<C, W, LENGTH_BITS, STEPS, LOW>
 {
-    /// An upper bound of the relative error of a length in the range. To half a step come 0.004 steps, of the logarithm and
-    /// its rounding, and 3e-7, of the decoded vector.
+    /// An upper bound of the relative error of a length in the range. To half a step come 0.004 steps, of the logarithm
+    /// and its rounding, and 3e-7, of the decoded vector.
     pub const MAX_LENGTH_ERROR: f32 = {
         assert!(STEPS.is_power_of_two() && STEPS <= 2048 && LENGTH_BITS >= 2 && LENGTH_BITS <= 22);
         assert!(

@@ -22,7 +22,7 @@ fn fold(z: f32, x: f32, y: f32, m: f32) -> (f32, f32) {
 
 /// The code of the lattice point nearest to `e`, with ties to even components (odd for 24 bits).
 #[inline(always)]
-fn pack<const BITS: u32>(e: Vec2) -> u32 {
+pub(crate) fn pack<const BITS: u32>(e: Vec2) -> u32 {
     if BITS == 24 { pack_bytes(e) } else { nearest_pair(e, BITS / 2) }
 }
 
