@@ -49,6 +49,7 @@ mod recommended;
 #[cfg(feature = "glsl")]
 mod render;
 mod report;
+mod rotation_formats;
 #[cfg(feature = "glsl")]
 mod shaders;
 mod slices;

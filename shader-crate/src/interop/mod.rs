@@ -16,6 +16,8 @@
 //! # Ok::<(), unitvec::interop::UnknownFormat>(())
 //! ```
 //!
+//! [`RotationFormat`] has formats of unit quaternions.
+//!
 //! A format is a value: a lattice of so many bits, the axis of the pole, the order of bits, and the original's rounding; its
 //! name is `draco:10` where it has several widths. [`Format::all`] lists them, `docs/interop.md` of the repository has
 //! their errors, sources and the tools that they were run against.
@@ -32,6 +34,7 @@ mod frames;
 mod list;
 mod octahedral;
 mod plain;
+mod rotations;
 mod tetrahedron;
 
 use crate::direction::or_z;
@@ -46,6 +49,7 @@ use glam::Vec3;
 use list::Mapping;
 pub use list::{ROWS, Row};
 use octahedral::with_lattice;
+pub use rotations::{ROTATIONS, RotationFormat, rotation_deg};
 
 /// A format of other software, of a number of bits, with the nearest or the [plain](Self::plain) encoder.
 #[derive(Clone, Copy, Debug)]
@@ -100,7 +104,8 @@ impl fmt::Display for UnknownFormat {
                 let name: String = name.escape_debug().take(60).collect();
                 write!(f, "unknown format `{name}`; there are")?;
                 ROWS.iter().try_for_each(|row| write!(f, " {row}"))?;
-                FRAMES.iter().try_for_each(|frames| write!(f, " {}", frames.name))
+                FRAMES.iter().try_for_each(|frames| write!(f, " {}", frames.name))?;
+                ROTATIONS.iter().try_for_each(|rotations| write!(f, " {}", rotations.name))
             }
             Self::Bits { format, least, most } if least == most => {
                 write!(f, "{format} has one width; leave it out")
@@ -123,13 +128,7 @@ impl Format {
         let (base, bits) = name.split_once(':').map_or((name, None), |(base, bits)| (base, Some(bits)));
         let row = ROWS.iter().find(|row| row.name.eq_ignore_ascii_case(base));
         let row = row.ok_or_else(|| UnknownFormat::Name { name: name.to_owned() })?;
-        let has = |bits: &u32| (row.least..=row.most).contains(bits);
-        let bits = match (row.has_widths(), bits) {
-            (true, Some(bits)) => bits.parse().ok().filter(has),
-            (false, None) => Some(row.least),
-            _ => None,
-        };
-        let bits = bits.ok_or(UnknownFormat::Bits { format: row.name, least: row.least, most: row.most })?;
+        let bits = width(row.name, [row.least, row.most], bits)?;
         Ok(Self { row, bits, is_plain: false })
     }
 
@@ -327,6 +326,16 @@ impl Format {
             coder => decode_slice_by(coder, level, codes, vectors),
             decode_slice_by(One(self), level, codes, vectors))
     }
+}
+
+/// The width after a format's name: none where there is but one.
+fn width(format: &'static str, [least, most]: [u32; 2], bits: Option<&str>) -> Result<u32, UnknownFormat> {
+    let bits = match (least != most, bits) {
+        (true, Some(bits)) => bits.parse().ok().filter(|bits| (least..=most).contains(bits)),
+        (false, None) => Some(least),
+        _ => None,
+    };
+    bits.ok_or(UnknownFormat::Bits { format, least, most })
 }
 
 /// The vector, or +Z where it has no usable direction, of a length whose square is a normal number.
