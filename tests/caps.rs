@@ -70,8 +70,8 @@ fn most_lengthening(a: f64, b: f64) -> f64 {
     })
 }
 
-/// Errors keep to the stated bound, which is the codec's times the most that the map lengthens, and come near it: to 60 % of
-/// it at least, though the codec's worst direction need not be at the rim.
+/// Errors keep to the stated bound, which is the codec's times the most that the map lengthens, and come near it: to 60
+/// % of it at least, though the codec's worst direction need not be at the rim.
 fn assert_cap_bounded<C: Listed>(angle_in_deg: f64) {
     let (axis, angle) = (normalize(AXIS.map(f64::from)), angle_in_deg.to_radians());
     let cap = Cap::<C>::new(AXIS, angle as f32);
@@ -139,8 +139,8 @@ fn the_mean_falls_with_the_area() {
     assert!((by_sphere / (1.227 * area) - 1.0).abs() < 0.01, "{by_sphere}");
 }
 
-/// All codes decode to unit vectors of the cap, and come back, those beyond the rim within the error; directions outside get the nearest of the rim, and those
-/// without any the axis.
+/// All codes decode to unit vectors of the cap, and come back, those beyond the rim within the error; directions
+/// outside get the nearest of the rim, and those without any the axis.
 fn assert_cap_total<C: Listed<Code = u32>>(angle: f64) {
     let cap = Cap::<C>::new(AXIS, angle.to_radians() as f32);
     let [ax, ay, az, _] = cap.to_array();
@@ -213,7 +213,8 @@ fn smallest_of_all(points: &[[f64; 3]]) -> f64 {
     axes.into_iter().map(most).fold(PI, f64::min)
 }
 
-/// The cap holds every direction, and none is smaller: against all caps of sets of few, and on circles, whose cap is known.
+/// The cap holds every direction, and none is smaller: against all caps of sets of few, and on circles, whose cap is
+/// known.
 #[test]
 fn the_smallest_cap_is_the_smallest() {
     let holds = |points: &[Vec3], (axis, angle): ([f32; 3], f32)| {
@@ -257,8 +258,8 @@ fn halves(round_trip: impl Fn(Vec3) -> Vec3, axis: [f64; 3]) -> [f64; 4] {
     [front[0], behind[0], front[1], behind[1]]
 }
 
-/// The trade that the docs tell is what is measured, within 1 % in the mean; no error is 1 % above the largest, which is of 20 times
-/// as many directions, and some is within 10 % of it.
+/// The trade that the docs tell is what is measured, within 1 % in the mean; no error is 1 % above the largest, which
+/// is of 20 times as many directions, and some is within 10 % of it.
 #[test]
 fn density_trades_as_documented() {
     let (axis, docs) = (normalize(AXIS.map(f64::from)), include_str!("../shader-crate/src/wrap/dense.rs"));
@@ -348,8 +349,8 @@ fn places_are_codes() {
     }
 }
 
-/// The codes of a prefix have the area that their number is of all, and their vectors are near each other: for all 256 prefixes of 8
-/// bits. The area is counted by even directions, 400 to a cell.
+/// The codes of a prefix have the area that their number is of all, and their vectors are near each other: for all 256
+/// prefixes of 8 bits. The area is counted by even directions, 400 to a cell.
 #[test]
 fn prefixes_are_cells_of_equal_area() {
     let mut count = [0u32; 256];
@@ -369,8 +370,8 @@ fn prefixes_are_cells_of_equal_area() {
     }
 }
 
-/// Ranges of cones, in order and apart, have all codes inside, by trial of all of 16 bits; at the level of codes others are
-/// within 2.2 degrees of the rim, which is the bound of a cell of one code.
+/// Ranges of cones, in order and apart, have all codes inside, by trial of all of 16 bits; at the level of codes others
+/// are within 2.2 degrees of the rim, which is the bound of a cell of one code.
 #[test]
 fn cones_have_all_their_codes() {
     let codes = 0..1u32 << 16;

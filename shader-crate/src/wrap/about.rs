@@ -6,13 +6,14 @@ use crate::direction::{is_usable, l1_norm};
 use crate::frame::basis;
 use glam::Vec3;
 
-/// The least that `x^2 + y^2` counts as: 2^-80, of an angle of 2^-40. So no denormal counts, and nothing is divided by 0.
+/// The least that `x^2 + y^2` counts as: 2^-80, of an angle of 2^-40. So no denormal counts, and nothing is divided by
+/// 0.
 const LEAST_SQUARE: f32 = exp2(-80);
 
 /// A direction by its place about an axis.
 ///
-/// `1 - cos` of a small angle cancels; `sin^2 / (1 + cos)` does not. So of `1 + cos` and `1 - cos` the larger is a sum, and
-/// the smaller the quotient.
+/// `1 - cos` of a small angle cancels; `sin^2 / (1 + cos)` does not. So of `1 + cos` and `1 - cos` the larger is a sum,
+/// and the smaller the quotient.
 #[derive(Clone, Copy)]
 pub(super) struct About {
     /// The components along the two vectors of the axis's basis.
@@ -39,8 +40,8 @@ impl About {
 
     /// The place of the direction of `v` about a unit axis; that of the axis where `v` has no usable direction.
     ///
-    /// The basis takes the difference of `v` and the axis, or its opposite: its components are exact beside their size, and so
-    /// a small angle is.
+    /// The basis takes the difference of `v` and the axis, or its opposite: its components are exact beside their size,
+    /// and so a small angle is.
     #[inline(always)]
     pub(super) fn axis(axis: Vec3, v: Vec3) -> Self {
         let norm = l1_norm(v);
@@ -76,8 +77,8 @@ impl About {
     }
 }
 
-/// The unit vector of components x and y along the basis of a unit axis, and `1 - h` along `axis`, which is that axis or its
-/// opposite; `axis` itself for an x and y of 0.
+/// The unit vector of components x and y along the basis of a unit axis, and `1 - h` along `axis`, which is that axis
+/// or its opposite; `axis` itself for an x and y of 0.
 #[inline(always)]
 pub(super) fn lifted(axis: Vec3, basis: (Vec3, Vec3), x: f32, y: f32, h: f32) -> Vec3 {
     let v = axis + ((basis.0 * x + basis.1 * y) - axis * h);

@@ -2,38 +2,40 @@
 //!
 //! Source: Lambert's azimuthal equal-area map; the choice of what a cap fills, and the bounds, are ours.
 //!
-//! In the frame of the axis, with a the cap's half-angle and `h = 1 - cos` of a direction's angle from the axis, the map
-//! keeps the azimuth and scales h by `k = (1 - cos b) / (1 - cos a)`: the cap fills the cap of half-angle b about +Z,
-//! which the codec then encodes. Equal areas stay equal. Along and across the radius lengths become
-//! `sqrt(k (2 - k h) / (2 - h))` across and k over that along. So an error shrinks most at the axis, by `sqrt(k)`, and at the
-//! rim becomes `sin a / sin b` times as large across the radius.
+//! In the frame of the axis, with a the cap's half-angle and `h = 1 - cos` of a direction's angle from the axis, the
+//! map keeps the azimuth and scales h by `k = (1 - cos b) / (1 - cos a)`: the cap fills the cap of half-angle b about
+//! +Z, which the codec then encodes. Equal areas stay equal. Lengths across the radius become `g = sqrt(k (2 - k h) /
+//! (2 - h))` times as large, along it `k / g` times. So an error shrinks by `sqrt(k)` at the axis, and less across the
+//! radius at the rim: there it counts `sin a / sin b` times.
 //!
-//! * A codec of the hemisphere is filled whole: `b` = 90 degrees. Its error counts `sqrt(1 - cos a)` times at the axis and
-//!   at most `sin a` times, up to 90 degrees, beyond `tan(a / 2)` times. **Take one of these**: of equal bits it is a
-//!   sphere's codec with half the area to cover, and at the rim no more than `sqrt(2)` from the mean.
+//! * A codec of the hemisphere is filled whole: `b` = 90 degrees. Its error counts `sqrt(1 - cos a)` times at the axis
+//!   and at most `sin a` times, up to 90 degrees, beyond `tan(a / 2)` times. **Take one of these**: of equal bits it is
+//!   a sphere's codec with half the area to cover, and at the rim no more than `sqrt(2)` from the mean.
 //! * A codec of the sphere is filled to `b` = 120 degrees, three quarters of its codes: `sqrt(1 - cos a) / sqrt(1.5)`
 //!   at the axis, and at most `sin a / sin 120°` times (beyond the rim by the codec's own error e: `sin(120° + e)`). To
-//!   fill it whole, as the formula `sqrt((1 - cos a) / 2)` has it, does not work: all of the rim is then the point -Z, next to
-//!   which a code says nothing about the azimuth. The largest error is the cap's width, and the mean of the error's square grows
-//!   without bound as codes get finer. In small caps this mean is least for b of 120 to 135 degrees.
+//!   fill it whole, as the formula `sqrt((1 - cos a) / 2)` has it, does not work: all of the rim is then the point -Z,
+//!   next to which a code says nothing about the azimuth. The largest error is the cap's width, and the mean of the
+//!   error's square grows without bound as codes get finer. In small caps this mean is least for b of 120 to 135
+//!   degrees.
 //!
-//! Frames: the axis is normalised, and [`frame::basis`](crate::frame::basis) gives the other two vectors. Both sides must have
-//! the axis and half-angle to the bit.
+//! Frames: the axis is normalised, and [`frame::basis`](crate::frame::basis) gives the other two vectors. Both sides
+//! must have the axis and half-angle to the bit.
 //!
-//! * Layout: the codec's own. Codes that lie beyond the rim, a quarter of the codes of a sphere's codec, are not written,
-//!   and decode to the rim. So a decoded vector never lies outside of the cap but for the rounding of `f32`.
-//! * Directions outside of the cap get the code of the nearest direction of the rim; the opposite of the axis that of the
-//!   side of the basis's first vector.
+//! * Layout: the codec's own. Codes that lie beyond the rim, a quarter of the codes of a sphere's codec, are not
+//!   written, and decode to the rim. So a decoded vector never lies outside of the cap but for the rounding of `f32`.
+//! * Directions outside of the cap get the code of the nearest direction of the rim; the opposite of the axis that of
+//!   the side of the basis's first vector.
 //! * Error: the above, and 2^-22 radians for `f32`, which is what vectors of `f32` resolve: with 32 bits it counts in
 //!   caps of a few degrees. The axis comes back exactly where the codec keeps +Z.
-//! * Stable, but for codes beyond the rim, where a step of the code is far above this rounding: at 16 bits in caps of 0.1
-//!   degrees and more, at 32 bits of 10.
-//! * Seams: caps share no code and no lattice. A direction in two caps decodes to two vectors, which differ by up to the sum of
-//!   both errors; along a border lit by neighbouring meshlets this is a crease of that size. So where vertices are
-//!   shared, give both sides one cap, or one code of the whole sphere; or encode the border's vectors once and move
-//!   the copy to what it decodes to, in the same cap. Overlapping caps do not help. Nothing is lost inside of a cap.
-//! * Good for: normals of meshlets, light cones, fur, fibres. Weakness: a root and a quotient each way, and an axis and an
-//!   angle to store or know.
+//! * Stable, but for codes beyond the rim, where a step of the code is far above this rounding: at 16 bits in caps of
+//!   0.1 degrees and more, at 32 bits of 10.
+//! * Seams: caps share no code and no lattice. A direction in two caps decodes to two vectors, which differ by up to
+//!   the sum of both errors; along a border lit by neighbouring meshlets this is a crease of that size. So where
+//!   vertices are shared, give both sides one cap, or one code of the whole sphere; or encode the border's vectors once
+//!   and move the copy to what it decodes to, in the same cap. Overlapping caps do not help. Nothing is lost inside of
+//!   a cap.
+//! * Good for: normals of meshlets, light cones, fur, fibres. Weakness: a root and a quotient each way, and an axis and
+//!   an angle to store or know.
 
 use super::about::{About, lifted, unit_axis};
 use crate::arith::{exp2, is_nan, max, min, quotient, root, sin};
@@ -50,7 +52,8 @@ const LEAST_ANGLE: f32 = exp2(-12);
 /// The cotangent of 120 degrees: the rim's height beside its radius in a sphere's codec.
 const SPHERE_RIM: f32 = -0.577_350_26;
 
-/// `(1 - cos b) / 2` of the part of a sphere's codec that a cap fills, b = 120 degrees. A larger cap is the whole sphere.
+/// `(1 - cos b) / 2` of the part of a sphere's codec that a cap fills, b = 120 degrees. A larger cap is the whole
+/// sphere.
 const SPHERE_PART: f32 = 0.75;
 
 /// The codec `C` over the directions within an angle of an axis, with the less error the smaller the angle: see the
@@ -83,8 +86,8 @@ struct Parts {
 }
 
 impl<C: Listed> Cap<C> {
-    /// The cap of half-angle `half_angle`, in radians, about `axis`, of any length; +Z stands in for an axis that has no usable
-    /// direction (see [`direction`](crate::direction)).
+    /// The cap of half-angle `half_angle`, in radians, about `axis`, of any length; +Z stands in for an axis that has
+    /// no usable direction (see [`direction`](crate::direction)).
     ///
     /// Angles count as 2^-12 at least. In a codec of the sphere those above 120 degrees, and NaN, are the whole sphere;
     /// in one of the hemisphere they count as 120 degrees.
@@ -111,8 +114,8 @@ impl<C: Listed> Cap<C> {
         }
     }
 
-    /// The code of the direction of `v`; of the nearest direction of the rim for one outside of the cap; of the axis where
-    /// `v` has no usable direction.
+    /// The code of the direction of `v`; of the nearest direction of the rim for one outside of the cap; of the axis
+    /// where `v` has no usable direction.
     #[must_use]
     #[inline(always)]
     pub fn encode<V: Into<[f32; 3]>>(self, v: V) -> C::Code {
@@ -161,8 +164,8 @@ impl<C: Listed> Cap<C> {
         }
     }
 
-    /// An upper bound of the angle, in degrees, between a direction of the cap and its decoded code: the codec's, times the
-    /// most that the map lengthens, and 2^-22 radians for `f32` before the map and after.
+    /// An upper bound of the angle, in degrees, between a direction of the cap and its decoded code: the codec's, times
+    /// the most that the map lengthens, and 2^-22 radians for `f32` before the map and after.
     #[must_use]
     pub fn max_error_deg(self) -> f32 {
         let parts = self.parts();

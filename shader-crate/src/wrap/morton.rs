@@ -2,17 +2,18 @@
 //!
 //! Source: Morton 1966, "A Computer Oriented Geodetic Data Base"; the cells' bound is ours.
 //!
-//! A code's two coordinates, counted from the corner of the square, have their bits interleaved: x in the even bits, y in the
-//! odd, from bit 0 on. So the upper 2 d bits name one of 4^d squares of the map, and as the map keeps areas, all but those at
-//! the square's border have equal areas. Neighbours in order are mostly neighbours on the sphere: sorted codes compress, and
-//! what lies in a cone is a few ranges: [`Cone`].
+//! A code's two coordinates, counted from the corner of the square, have their bits interleaved: x in the even bits, y
+//! in the odd, from bit 0 on. So the upper 2 d bits name one of 4^d squares of the map, and as the map keeps areas, all
+//! but those at the square's border have equal areas. Neighbours in order are mostly neighbours on the sphere: what
+//! lies in a cone is in a few ranges, which [`Cone`] gives, and so in few pages of a sorted file.
 //!
-//! * Layout: `BITS` bits, for codes of [`EaOct`] of 16, 20, 22, 24 or 32 bits. The pattern of `-2^(b-1)` that a coordinate never has
-//!   counts as -1, as in the codec; so row and column 0 are not in use.
-//! * Points of the square's border stand for the same direction as their mirror image there, and -Z has four codes: sort codes
-//!   that an encoder wrote, or that [`EaOct`] decoded and encoded again.
-//! * Good for: sorting, pages of sorted files, caches by direction. The codes of the 16-bit format lie in the
-//!   same order as the first 16 bits of wider ones but for rounding: widths have lattices of their own.
+//! * Layout: `BITS` bits, for codes of [`EaOct`] of 16, 20, 22, 24 or 32 bits. The pattern of `-2^(b-1)` that a
+//!   coordinate never has counts as -1, as in the codec; so row and column 0 are not in use.
+//! * Points of the square's border stand for the same direction as their mirror image there, and -Z has four codes:
+//!   sort codes that an encoder wrote, or that [`EaOct`] decoded and encoded again.
+//! * Good for: pages of sorted files, caches by direction, levels of detail. Not for size: the differences of sorted
+//!   codes compress as well in the order of rows. The codes of the 16-bit format lie in the same order as the first 16
+//!   bits of wider ones but for rounding: widths have lattices of their own.
 
 use crate::angle_deg;
 use crate::arith::{signed_code, snorm_max};
@@ -108,9 +109,9 @@ impl<const BITS: u32> Cone<BITS>
 where
     EaOct<BITS>: Width,
 {
-    /// The cone of half-angle `half_angle`, in radians, about `axis`, of any length. Cells are divided `levels` times at
-    /// most, so that the square has 4^levels; more than `BITS / 2` divide no further. Without an axis, or with a NaN, all
-    /// codes are in one range.
+    /// The cone of half-angle `half_angle`, in radians, about `axis`, of any length. Cells are divided `levels` times
+    /// at most, so that the square has 4^levels; more than `BITS / 2` divide no further. Without an axis, or with a
+    /// NaN, all codes are in one range.
     #[must_use]
     pub fn new(axis: impl Into<[f32; 3]>, half_angle: f32, levels: u32) -> Self {
         let axis = Vec3::from_array(axis.into());

@@ -8,8 +8,8 @@ use glam::Vec3;
 /// Passes over the vectors at most: sets of a million need about ten.
 const PASSES: usize = 64;
 
-/// The chord beyond a rim within which a direction counts as inside: far below what `f32` resolves, and above the rounding of
-/// axes in `f64`, which small caps multiply.
+/// The chord beyond a rim within which a direction counts as inside: far below what `f32` resolves, and above the
+/// rounding of axes in `f64`, which small caps multiply.
 const SLACK: f64 = 1e-8;
 
 type Point = [f64; 3];
@@ -23,14 +23,15 @@ struct Held {
     count: usize,
 }
 
-/// The smallest cap that holds the directions of `vectors`: its axis, of unit length, and its half-angle in radians, for
-/// [`Cap::new`](super::Cap::new). Vectors without a usable direction do not count; +Z and 0 without any.
+/// The smallest cap that holds the directions of `vectors`: its axis, of unit length, and its half-angle in radians,
+/// for [`Cap::new`](super::Cap::new). Vectors without a usable direction do not count; +Z and 0 without any.
 ///
-/// Every direction is in the cap of that axis, and the half-angle is at most 2^-21 radians above that of the smallest cap, where
-/// that is less than 90 degrees. Else the cap holds all, but need not be the smallest.
+/// Every direction is in the cap of that axis, and the half-angle is at most 2^-21 radians above that of the smallest
+/// cap, where that is less than 90 degrees. Else the cap holds all, but need not be the smallest.
 ///
-/// Each pass over the vectors takes the direction farthest from the axis, and then the smallest cap of that one and of those
-/// that hold the cap so far, two or three. The angle grows with each pass, and the work with the number of vectors.
+/// Each pass over the vectors takes the direction farthest from the axis, and then the smallest cap of that one and of
+/// those that hold the cap so far, two or three. The angle grows with each pass, and the work with the number of
+/// vectors.
 ///
 /// ```
 /// let (axis, half_angle) = unitvec::wrap::smallest_cap(&[[0.0, 0.6, 0.8], [0.0, -0.6, 0.8], [0.1, 0.0, 1.0]]);
@@ -60,7 +61,8 @@ pub fn smallest_cap<V: Copy + Into<[f32; 3]>>(vectors: &[V]) -> ([f32; 3], f32) 
     (axis.to_array(), most.to_radians() as f32 * (1.0 + f32::EPSILON))
 }
 
-/// The smallest cap of `point`, outside of `cap`, and the directions that hold it. None where these are in no hemisphere.
+/// The smallest cap of `point`, outside of `cap`, and the directions that hold it. None where these are in no
+/// hemisphere.
 fn grown(cap: &Held, point: Point) -> Option<Held> {
     let mut all = [point; 4];
     all[..cap.count].copy_from_slice(&cap.by[..cap.count]);

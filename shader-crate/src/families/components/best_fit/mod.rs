@@ -42,8 +42,10 @@
 //!   never written either, decodes to (0, 0, 0).
 //! * Decoding gives the components as stored, **not normalised**: the longest is at least 0.5. The format is that of
 //!   plain snorm components, so that best fit and plain codes can be mixed.
-//! * The survey's CrytekBFN24 has a maximum of several degrees. That would be half a step of a length of 6; here no
-//!   length is under 64, since short ones gain nothing over their multiples.
+//! * The survey's CrytekBFN24 has a maximum of several degrees. A table of 512 x 512 lengths for biased codes has its
+//!   mean, and such a maximum in one texel, that of (1, 1, 1): there short lengths fit as well as long ones, and where
+//!   the shortest is taken, one direction in a million is off by a step of it. Here no length is under 64, since short
+//!   ones gain nothing over their multiples.
 //! * Why that table: an encoder by table waits for the table half of its time, the longer the more of it is in use.
 //!   Four lengths that together fit a cell do as well as those of the four closest texels of 1024 x 1024, the size in
 //!   use, and one read has them all.
