@@ -1,7 +1,6 @@
 //! The hexagonal cube codecs: one code a point, the choice of the point, the bound, layout.
 
 use glam::Vec3;
-use std::f64::consts::FRAC_1_SQRT_2;
 use unitvec::{Codec, HexCube16};
 use unitvec_oracle::ico::{bound_deg, circumcircle};
 use unitvec_oracle::{Summary, angle_deg, difference, dot, hexcube};
@@ -49,8 +48,8 @@ fn edges_are_symmetric() {
 }
 
 /// The chosen point is the nearest of the face, or farther off by 7 % of the covering bound at most; in the middles of
-/// faces' quadrants, where cells are largest, by 1 %. The nearest of all faces, over the edge, can be nearer by another
-/// 25 %. The means differ by 1e-4 at most, as a part, and by 0.5 % at 16 bits where all faces count.
+/// faces' quadrants, where cells are largest, by 1.5 %. Beside the edges, the other face can have a much nearer one.
+/// This adds to the mean 1e-4 of the bound at most; with the points over the edges, 4e-4 at 16 bits.
 #[test]
 fn encodes_a_near_point() {
     for codec in Tested::family("hexcube") {
@@ -65,9 +64,8 @@ fn encodes_a_near_point() {
         println!("{}: of the face {of_face:?}, of all {of_all:?}, largest {largest:?}", codec.id);
         let rounding = ROUNDING / radius;
         assert!(of_face.max <= 0.07 + rounding && of_face.mean <= 1e-4, "{}: {of_face:?}", codec.id);
-        assert!(of_all.max <= 0.32 + rounding, "{}: {of_all:?}", codec.id);
-        assert!(of_all.mean <= if bits == 16 { 0.003 } else { 2e-4 }, "{}: {of_all:?}", codec.id);
-        assert!(largest.max <= 0.01 + rounding, "{}: {largest:?}", codec.id);
+        assert!(of_all.mean <= if bits == 16 { 4e-4 } else { 1e-4 }, "{}: {of_all:?}", codec.id);
+        assert!(largest.max <= 0.015 + rounding, "{}: {largest:?}", codec.id);
     }
 }
 
@@ -85,10 +83,11 @@ fn maximum_is_at_circumcentres() {
         }
         let derived = LARGEST * bound_deg(bits).max;
         println!("{}: {worst:.7}, exact {exact:.7}, derived {derived:.7}", codec.id);
-        assert!((exact / derived - 1.0).abs() < if bits == 16 { 5e-3 } else { 3e-4 }, "{}", codec.id);
+        // A face's edges and the patterns past the last point take some of the area.
+        assert!((exact / derived - 1.0).abs() < if bits == 16 { 6e-3 } else { 6e-4 }, "{}", codec.id);
         assert!(worst > 0.999 * exact - ROUNDING && worst < 1.001 * exact + ROUNDING, "{}", codec.id);
         assert_bounded(&codec, worst);
-        assert!(bits == 16 || f64::from(codec.max_error_deg()) < derived + 2.0 * ROUNDING, "{}", codec.id);
+        assert!(bits == 16 || f64::from(codec.max_error_deg()) < 1.001 * derived + ROUNDING, "{}", codec.id);
     }
 }
 
@@ -112,8 +111,8 @@ fn edges_are_bounded() {
     }
 }
 
-/// All triangles of neighbouring points are acute: so no direction among them is farther from all of these than the centre
-/// of the largest circumcircle.
+/// All triangles of neighbouring points are acute: so no direction among them is farther from all of these than the
+/// centre of the largest circumcircle.
 #[test]
 fn triangles_are_acute() {
     for codec in Tested::family("hexcube") {
@@ -148,7 +147,8 @@ fn around_largest(seed: u64, count: usize, radius: f64) -> impl Iterator<Item = 
     })
 }
 
-/// The unit vectors of the corners of the two triangles of neighbouring points beside a direction, if the face has them.
+/// The unit vectors of the corners of the two triangles of neighbouring points beside a direction, if the face has
+/// them.
 fn triangles(v: [f64; 3], bits: u32) -> impl Iterator<Item = [[f64; 3]; 3]> {
     let (of, face) = (hexcube::lattice(bits), hexcube::face_of(v));
     let [x, y] = hexcube::position(v, face, bits).map(|t| t.floor() as i64);
@@ -167,16 +167,16 @@ fn layout() {
     let middles = [0, 1, 2, 3, 4, 5].map(|face| face * 10_905 + 5_452);
     assert_eq!(axes.map(HexCube16::encode_vec3), middles);
     // u is y on the face of x, else x; v is z but for the face of z, where it is y. A row takes 193 half columns.
-    let small = 0.02;
-    assert_eq!(HexCube16::encode(Vec3::new(1.0, small, 0.0)), 5_452 + 1);
-    assert_eq!(HexCube16::encode(Vec3::new(1.0, 0.0, 2.0 * small)), 5_452 + 193);
-    assert_eq!(HexCube16::encode(Vec3::new(small, 1.0, 0.0)), 2 * 10_905 + 5_452 + 1);
-    assert_eq!(HexCube16::encode(Vec3::new(0.0, 1.0, 2.0 * small)), 2 * 10_905 + 5_452 + 193);
-    assert_eq!(HexCube16::encode(Vec3::new(small, 0.0, 1.0)), 4 * 10_905 + 5_452 + 1);
-    assert_eq!(HexCube16::encode(Vec3::new(0.0, 2.0 * small, 1.0)), 4 * 10_905 + 5_452 + 193);
+    let [across, along] = [0.0143, 0.0245];
+    assert_eq!(HexCube16::encode(Vec3::new(1.0, across, 0.0)), 5_452 + 1);
+    assert_eq!(HexCube16::encode(Vec3::new(1.0, 0.0, along)), 5_452 + 193);
+    assert_eq!(HexCube16::encode(Vec3::new(across, 1.0, 0.0)), 2 * 10_905 + 5_452 + 1);
+    assert_eq!(HexCube16::encode(Vec3::new(0.0, 1.0, along)), 2 * 10_905 + 5_452 + 193);
+    assert_eq!(HexCube16::encode(Vec3::new(across, 0.0, 1.0)), 4 * 10_905 + 5_452 + 1);
+    assert_eq!(HexCube16::encode(Vec3::new(0.0, along, 1.0)), 4 * 10_905 + 5_452 + 193);
     // The next row begins half a column to the left, and its first point from the middle to the right is number 97.
     let half = HexCube16::decode_vec3(5_452 + 97);
-    assert!(half.y > 0.0 && half.z > 0.0 && half.x > FRAC_1_SQRT_2 as f32, "{half}");
+    assert!(half.y > 0.0 && half.z > 0.0, "{half}");
     assert_eq!(HexCube16::encode(Vec3::new(1.0, -0.999, -0.999)), 0);
     assert_eq!(HexCube16::decode_vec3(0xffff), HexCube16::decode_vec3(65_429));
 }

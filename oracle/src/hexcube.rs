@@ -21,9 +21,9 @@ pub fn lattice(bits: u32) -> Lattice {
 /// The lattice of a width, where there is one.
 pub fn find_lattice(bits: u32) -> Option<Lattice> {
     let (columns, rows, beyond) = match bits {
-        16 => (96, 56, [0.125, 0.468_75]),
-        24 => (1548, 902, [0.0625, 0.406_25]),
-        32 => (24778, 14444, [0.0625, 0.406_25]),
+        16 => (96, 56, [0.125, 0.531_25]),
+        24 => (1548, 902, [0.031_25, 0.406_25]),
+        32 => (24778, 14444, [0.031_25, 0.406_25]),
         _ => return None,
     };
     Some(Lattice { columns, rows, edges: [columns as f64 + beyond[0], rows as f64 + beyond[1]] })

@@ -39,8 +39,6 @@ pub fn decoding(codec: &Tested) -> Tolerance {
     match codec.family {
         // The weights of a point's three vertices have up to 31 bits: each is rounded before the normalisation.
         "ico" => roundings(4),
-        // A product before the normalisation.
-        "hexcube" => roundings(3),
         // A polynomial, and two products.
         "azimuthal" | "eaoct" | "cube" => roundings(4),
         // A sine and a cosine, each off by up to 7.0e-8, for each of two angles, which are rounded to 2^-25 of a half turn

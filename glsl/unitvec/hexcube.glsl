@@ -1,0 +1,166 @@
+// unitvec: a hexagonal lattice on each face of a cube, warped to be even on the sphere, in 16, 24 and 32 bits.
+//
+// Source: this library's own; the cube is that of `cube.glsl`, with other coordinates on its faces.
+//
+//   hexcube16_encode(v), hexcube16_decode(code)      integer codes; also hexcube24, hexcube32
+//
+// The code functions take any v: length does not matter, and +Z stands in for vectors without a direction. Layout: the
+// points of the faces +X, -X, +Y, -Y, +Z, -Z one after another, each by rows from the least v, and within a row from
+// the least u. (u, v) is (y, z), (x, z), (x, y) on the faces of x, y, z. Every other row has a point less. Past the
+// last code all decode like the last.
+
+#ifndef UNITVEC_HEXCUBE_GLSL
+#define UNITVEC_HEXCUBE_GLSL
+
+#ifndef UNITVEC_ARITH_GLSL
+#include "arith.glsl"
+#endif
+
+precision highp float;
+precision highp int;
+
+// The warp's two weights.
+const float UNITVEC_HEXCUBE_FRONT = 0.6875;
+const float UNITVEC_HEXCUBE_SIDE = 0.3125;
+
+// Coefficients of the shear, and of the square of a pair of rows' distance, in columns.
+const float UNITVEC_HEXCUBE_SHEAR_0 = 1.077;
+const float UNITVEC_HEXCUBE_SHEAR_1 = 0.2198;
+const float UNITVEC_HEXCUBE_HEIGHT_0 = 1.6427;
+const float UNITVEC_HEXCUBE_HEIGHT_1 = 0.4367;
+const float UNITVEC_HEXCUBE_HEIGHT_2 = 1.6323;
+const float UNITVEC_HEXCUBE_HEIGHT_3 = 1.2677;
+
+// Half columns from a face's first point to its last, rows from its middle to the last row, both even; half columns and
+// rows from its middle to its edges.
+struct UnitvecHexcubeLattice {
+    int columns;
+    int rows;
+    float across;
+    float along;
+};
+
+const UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_16 = UnitvecHexcubeLattice(96, 56, 96.125, 56.53125);
+const UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_24 = UnitvecHexcubeLattice(1548, 902, 1548.03125, 902.40625);
+const UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_32 =
+    UnitvecHexcubeLattice(24778, 14444, 24778.03125, 14444.40625);
+
+// Half columns in two rows, which have together as many points.
+int unitvec_hexcube_line(UnitvecHexcubeLattice lattice) {
+    return 2 * lattice.columns + 1;
+}
+
+// The number of the middle within a face's codes.
+int unitvec_hexcube_middle(UnitvecHexcubeLattice lattice) {
+    return (lattice.rows * unitvec_hexcube_line(lattice) + lattice.columns) / 2;
+}
+
+// Codes of a face.
+uint unitvec_hexcube_face(UnitvecHexcubeLattice lattice) {
+    return uint(2 * unitvec_hexcube_middle(lattice) + 1);
+}
+
+// The point of the quarter face u, v >= 0 for X and Y: p over side. Its column, from the middle on, and its row in
+// pairs: whole numbers, or both halves.
+vec2 unitvec_hexcube_nearest(vec2 p, float side, UnitvecHexcubeLattice lattice) {
+    UNITVEC_PRECISE float front = UNITVEC_HEXCUBE_FRONT * side;
+    UNITVEC_PRECISE vec2 warped = front + UNITVEC_HEXCUBE_SIDE * p;
+    UNITVEC_PRECISE float u = p.x * unitvec_reciprocal(warped.x);
+    UNITVEC_PRECISE float v = p.y * unitvec_reciprocal(warped.y);
+    UNITVEC_PRECISE float x = u * (0.5 * lattice.across);
+    UNITVEC_PRECISE float y = v * (0.5 * lattice.along);
+    float last_x = 0.5 * float(lattice.columns);
+    float last_y = 0.5 * float(lattice.rows);
+
+    UNITVEC_PRECISE float whole_y = (y + UNITVEC_ONE_AND_A_HALF_2_23) - UNITVEC_ONE_AND_A_HALF_2_23;
+    UNITVEC_PRECISE float from_whole = y - whole_y;
+    float half_row = unitvec_with_sign(0.5, from_whole);
+    UNITVEC_PRECISE float from_half = from_whole - half_row;
+    UNITVEC_PRECISE float shear = (u * v) * (UNITVEC_HEXCUBE_SHEAR_0 - UNITVEC_HEXCUBE_SHEAR_1 * u);
+    UNITVEC_PRECISE float x_of_whole = x - shear * from_whole;
+    UNITVEC_PRECISE float x_of_half = x - shear * from_half;
+    UNITVEC_PRECISE float nearest_x = (x_of_whole + UNITVEC_ONE_AND_A_HALF_2_23) - UNITVEC_ONE_AND_A_HALF_2_23;
+    float whole_x = min(nearest_x, last_x);
+    UNITVEC_PRECISE float nearest_half_x = floor(x_of_half) + 0.5;
+    float half_x = min(nearest_half_x, last_x - 0.5);
+    UNITVEC_PRECISE float off_whole = x_of_whole - whole_x;
+    UNITVEC_PRECISE float off_half = x_of_half - half_x;
+
+    // The squares of the distances from the rows differ by |from_whole| - 1/4.
+    UNITVEC_PRECISE float t = UNITVEC_HEXCUBE_HEIGHT_0 - u;
+    UNITVEC_PRECISE float height = (t * t) * (UNITVEC_HEXCUBE_HEIGHT_1 + UNITVEC_HEXCUBE_HEIGHT_2 * v)
+        + UNITVEC_HEXCUBE_HEIGHT_3;
+    UNITVEC_PRECISE float beyond = off_whole * off_whole + height * (abs(from_whole) - 0.25);
+    UNITVEC_PRECISE float half_square = off_half * off_half;
+    // There is no row beyond the last.
+    bool is_half = half_square < beyond && y < last_y;
+    UNITVEC_PRECISE float half_y = whole_y + half_row;
+    return is_half ? vec2(half_x, half_y) : vec2(whole_x, whole_y);
+}
+
+uint unitvec_hexcube_encode(vec3 v, UnitvecHexcubeLattice lattice) {
+    bool usable = unitvec_is_usable(unitvec_l1_norm(v));
+    vec3 a = abs(v);
+    float larger = max(a.x, a.y);
+    bool is_z = a.z >= larger;
+    bool y_above = a.y >= a.x;
+    bool is_y = !is_z && y_above;
+    bool is_x = !is_z && !y_above;
+    float p_x = is_x ? v.y : v.x;
+    float p_y = is_z ? v.y : v.z;
+    vec2 point = unitvec_hexcube_nearest(vec2(abs(p_x), abs(p_y)), max(a.z, larger), lattice);
+    // Both whole.
+    UNITVEC_PRECISE vec2 doubled = 2.0 * point;
+    int column = int(unitvec_negate_if(unitvec_is_negative(p_x), doubled.x));
+    int row = int(unitvec_negate_if(unitvec_is_negative(p_y), doubled.y));
+    int from_middle = (row * unitvec_hexcube_line(lattice) + column) >> 1;
+
+    bool negative = (is_x && unitvec_is_negative(v.x)) || (is_y && unitvec_is_negative(v.y))
+        || (is_z && unitvec_is_negative(v.z));
+    uint face = unitvec_hexcube_face(lattice);
+    uint middle = uint(unitvec_hexcube_middle(lattice));
+    uint first = is_y ? 2u * face : 0u;
+    first = (is_z ? 4u * face : first) + middle;
+    first = negative ? first + face : first;
+    uint code = first + uint(from_middle);
+    return usable ? code : 4u * face + middle;
+}
+
+// Unit length to within 2 ULP.
+vec3 unitvec_hexcube_decode(uint code, UnitvecHexcubeLattice lattice) {
+    uint points = unitvec_hexcube_face(lattice);
+    code = min(code, 6u * points - 1u);
+    uint face = code / points;
+    uint doubled = 2u * (code - face * points);
+    uint line_length = uint(unitvec_hexcube_line(lattice));
+    uint line_number = doubled / line_length;
+    float column = float(int(doubled - line_number * line_length) - lattice.columns);
+    float row = float(int(line_number) - lattice.rows);
+
+    // X and Y over a common denominator; all but the last products are exact.
+    UNITVEC_PRECISE float across = 16.0 * lattice.across - 5.0 * abs(column);
+    UNITVEC_PRECISE float along = 16.0 * lattice.along - 5.0 * abs(row);
+    UNITVEC_PRECISE vec3 scaled = vec3((11.0 * column) * along, (11.0 * row) * across, across * along);
+    vec3 p = unitvec_normalize(scaled);
+    float front = unitvec_negate_if((face & 1u) != 0u, p.z);
+    bool is_x = face < 2u;
+    bool is_z = face >= 4u;
+    float y_of_yz = is_z ? p.y : front;
+    return vec3(is_x ? front : p.x, is_x ? p.x : y_of_yz, is_z ? front : p.y);
+}
+
+uint hexcube16_encode(vec3 v) { return unitvec_hexcube_encode(v, UNITVEC_HEXCUBE_LATTICE_16); }
+uint hexcube24_encode(vec3 v) { return unitvec_hexcube_encode(v, UNITVEC_HEXCUBE_LATTICE_24); }
+uint hexcube32_encode(vec3 v) { return unitvec_hexcube_encode(v, UNITVEC_HEXCUBE_LATTICE_32); }
+
+vec3 hexcube16_decode(uint code) {
+    return unitvec_hexcube_decode(code & unitvec_mask(16u), UNITVEC_HEXCUBE_LATTICE_16);
+}
+
+vec3 hexcube24_decode(uint code) {
+    return unitvec_hexcube_decode(code & unitvec_mask(24u), UNITVEC_HEXCUBE_LATTICE_24);
+}
+
+vec3 hexcube32_decode(uint code) { return unitvec_hexcube_decode(code, UNITVEC_HEXCUBE_LATTICE_32); }
+
+#endif
