@@ -48,8 +48,8 @@ fn edges_are_symmetric() {
 }
 
 /// The chosen point is the nearest of the face, or farther off by 7 % of the covering bound at most; in the middles of
-/// faces' quadrants, where cells are largest, by 1.5 %. Beside the edges, the other face can have a much nearer one. This
-/// adds to the mean 1e-4 of the bound at most; with the points over the edges, 4e-4 at 16 bits.
+/// faces' quadrants, where cells are largest, by 1.5 %. Beside the edges, the other face can have a much nearer one.
+/// This adds to the mean 1e-4 of the bound at most; with the points over the edges, 4e-4 at 16 bits.
 #[test]
 fn encodes_a_near_point() {
     for codec in Tested::family("hexcube") {
@@ -111,8 +111,8 @@ fn edges_are_bounded() {
     }
 }
 
-/// All triangles of neighbouring points are acute: so no direction among them is farther from all of these than the centre
-/// of the largest circumcircle.
+/// All triangles of neighbouring points are acute: so no direction among them is farther from all of these than the
+/// centre of the largest circumcircle.
 #[test]
 fn triangles_are_acute() {
     for codec in Tested::family("hexcube") {
@@ -147,7 +147,8 @@ fn around_largest(seed: u64, count: usize, radius: f64) -> impl Iterator<Item = 
     })
 }
 
-/// The unit vectors of the corners of the two triangles of neighbouring points beside a direction, if the face has them.
+/// The unit vectors of the corners of the two triangles of neighbouring points beside a direction, if the face has
+/// them.
 fn triangles(v: [f64; 3], bits: u32) -> impl Iterator<Item = [[f64; 3]; 3]> {
     let (of, face) = (hexcube::lattice(bits), hexcube::face_of(v));
     let [x, y] = hexcube::position(v, face, bits).map(|t| t.floor() as i64);

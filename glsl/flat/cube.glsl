@@ -175,6 +175,13 @@ float unitvec_scale_to_one(float l1_norm) {
     return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
 }
 #endif
+#ifndef UNITVEC_HAS_NORMALIZE
+#define UNITVEC_HAS_NORMALIZE
+vec3 unitvec_normalize(vec3 v) {
+    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
+    return n;
+}
+#endif
 #ifndef UNITVEC_HAS_NEGATE_POSITIVE
 #define UNITVEC_HAS_NEGATE_POSITIVE
 float unitvec_negate_positive(bool negative, float x) {
@@ -194,13 +201,6 @@ float unitvec_snorm_part(float x, uint bits) {
     UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
     UNITVEC_PRECISE float quotient = x * high + x * low;
     return quotient;
-}
-#endif
-#ifndef UNITVEC_HAS_NORMALIZE
-#define UNITVEC_HAS_NORMALIZE
-vec3 unitvec_normalize(vec3 v) {
-    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
-    return n;
 }
 #endif
 #ifndef UNITVEC_HAS_SNORM_QUOTIENT

@@ -185,12 +185,6 @@ float unitvec_scale_to_one(float l1_norm) {
     return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
 }
 #endif
-#ifndef UNITVEC_HAS_NEGATE_POSITIVE
-#define UNITVEC_HAS_NEGATE_POSITIVE
-float unitvec_negate_positive(bool negative, float x) {
-    return unitvec_negate_if(negative && x > 0.0, x);
-}
-#endif
 #ifndef UNITVEC_HAS_NORMALIZE
 #define UNITVEC_HAS_NORMALIZE
 vec3 unitvec_normalize(vec3 v) {
@@ -202,6 +196,12 @@ vec3 unitvec_normalize(vec3 v) {
 #define UNITVEC_HAS_WITH_SIGN
 float unitvec_with_sign(float magnitude, float y) {
     return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
+}
+#endif
+#ifndef UNITVEC_HAS_NEGATE_POSITIVE
+#define UNITVEC_HAS_NEGATE_POSITIVE
+float unitvec_negate_positive(bool negative, float x) {
+    return unitvec_negate_if(negative && x > 0.0, x);
 }
 #endif
 #ifndef UNITVEC_HAS_IS_NAN
@@ -230,6 +230,18 @@ float unitvec_root(float x) {
 #ifndef UNITVEC_HAS_2_23
 #define UNITVEC_HAS_2_23
 const float UNITVEC_2_23 = 8388608.0;
+#endif
+#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
+#define UNITVEC_HAS_SIGNED_QUOTIENT
+float unitvec_signed_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
+    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
 #endif
 #ifndef UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
 #define UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
@@ -276,18 +288,6 @@ vec2 unitvec_snorm_integers(uint code, uint bits) {
     return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
 }
 #endif
-#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
-#define UNITVEC_HAS_SIGNED_QUOTIENT
-float unitvec_signed_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
-    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
-}
-#endif
 #ifndef UNITVEC_HAS_SIN_0
 #define UNITVEC_HAS_SIN_0
 const float UNITVEC_SIN_0 = -9.759589e-8;
@@ -307,6 +307,28 @@ float unitvec_without_denormal(float x) {
 }
 vec3 unitvec_without_denormals(vec3 v) {
     return vec3(unitvec_without_denormal(v.x), unitvec_without_denormal(v.y), unitvec_without_denormal(v.z));
+}
+#endif
+#ifndef UNITVEC_HAS_SIN_EIGHTH
+#define UNITVEC_HAS_SIN_EIGHTH
+float unitvec_sin_eighth(float r) {
+    UNITVEC_PRECISE float u = r * r;
+    UNITVEC_PRECISE float low = UNITVEC_SIN_0 + u * (UNITVEC_SIN_1 + u * (UNITVEC_SIN_2 + u * UNITVEC_SIN_3));
+    UNITVEC_PRECISE float sine = r * (UNITVEC_PI + low);
+    return sine;
+}
+float unitvec_cos_eighth(float r) {
+    UNITVEC_PRECISE float u = r * r;
+    UNITVEC_PRECISE float low = UNITVEC_COS_0 + u * (UNITVEC_COS_1 + u * (UNITVEC_COS_2 + u * UNITVEC_COS_3));
+    UNITVEC_PRECISE float cosine = 1.0 + u * low;
+    return cosine;
+}
+#endif
+#ifndef UNITVEC_HAS_SCALED_TO_ONE
+#define UNITVEC_HAS_SCALED_TO_ONE
+vec3 unitvec_scaled_to_one(vec3 v, float l1_norm) {
+    UNITVEC_PRECISE vec3 scaled = unitvec_without_denormals(v) * unitvec_scale_to_one(l1_norm);
+    return scaled;
 }
 #endif
 #ifndef UNITVEC_HAS_OCT_BIAS
@@ -339,28 +361,6 @@ float unitvec_atan_quarter(float q) {
     UNITVEC_PRECISE float odd = UNITVEC_TURN_1 + w * (UNITVEC_TURN_3 + w * (UNITVEC_TURN_5 + w * UNITVEC_TURN_7));
     UNITVEC_PRECISE float turn = q * (even + u * odd);
     return turn;
-}
-#endif
-#ifndef UNITVEC_HAS_SIN_EIGHTH
-#define UNITVEC_HAS_SIN_EIGHTH
-float unitvec_sin_eighth(float r) {
-    UNITVEC_PRECISE float u = r * r;
-    UNITVEC_PRECISE float low = UNITVEC_SIN_0 + u * (UNITVEC_SIN_1 + u * (UNITVEC_SIN_2 + u * UNITVEC_SIN_3));
-    UNITVEC_PRECISE float sine = r * (UNITVEC_PI + low);
-    return sine;
-}
-float unitvec_cos_eighth(float r) {
-    UNITVEC_PRECISE float u = r * r;
-    UNITVEC_PRECISE float low = UNITVEC_COS_0 + u * (UNITVEC_COS_1 + u * (UNITVEC_COS_2 + u * UNITVEC_COS_3));
-    UNITVEC_PRECISE float cosine = 1.0 + u * low;
-    return cosine;
-}
-#endif
-#ifndef UNITVEC_HAS_SCALED_TO_ONE
-#define UNITVEC_HAS_SCALED_TO_ONE
-vec3 unitvec_scaled_to_one(vec3 v, float l1_norm) {
-    UNITVEC_PRECISE vec3 scaled = unitvec_without_denormals(v) * unitvec_scale_to_one(l1_norm);
-    return scaled;
 }
 #endif
 #ifndef UNITVEC_HAS_OCT_PACK_UNORM8X3

@@ -186,6 +186,12 @@ float unitvec_scale_to_one(float l1_norm) {
     return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
 }
 #endif
+#ifndef UNITVEC_HAS_WITH_SIGN
+#define UNITVEC_HAS_WITH_SIGN
+float unitvec_with_sign(float magnitude, float y) {
+    return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
+}
+#endif
 #ifndef UNITVEC_HAS_NEGATE_POSITIVE
 #define UNITVEC_HAS_NEGATE_POSITIVE
 float unitvec_negate_positive(bool negative, float x) {
@@ -205,12 +211,6 @@ float unitvec_snorm_part(float x, uint bits) {
     UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
     UNITVEC_PRECISE float quotient = x * high + x * low;
     return quotient;
-}
-#endif
-#ifndef UNITVEC_HAS_WITH_SIGN
-#define UNITVEC_HAS_WITH_SIGN
-float unitvec_with_sign(float magnitude, float y) {
-    return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
 }
 #endif
 #ifndef UNITVEC_HAS_IS_NAN
@@ -240,6 +240,18 @@ float unitvec_root(float x) {
 #define UNITVEC_HAS_2_23
 const float UNITVEC_2_23 = 8388608.0;
 #endif
+#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
+#define UNITVEC_HAS_SIGNED_QUOTIENT
+float unitvec_signed_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
+    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
+#endif
 #ifndef UNITVEC_HAS_SNORM_QUOTIENT
 #define UNITVEC_HAS_SNORM_QUOTIENT
 float unitvec_snorm_quotient(float x, uint bits) {
@@ -258,18 +270,6 @@ uint unitvec_nearest_pair(vec2 e, uint bits) {
 }
 vec2 unitvec_snorm_integers(uint code, uint bits) {
     return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
-}
-#endif
-#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
-#define UNITVEC_HAS_SIGNED_QUOTIENT
-float unitvec_signed_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
-    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
 }
 #endif
 #ifndef UNITVEC_HAS_SNORM_CLAMP
@@ -297,6 +297,21 @@ const float UNITVEC_COS_1 = 4.0586963;
 const float UNITVEC_COS_2 = -1.3347237;
 const float UNITVEC_COS_3 = 0.22859502;
 const float UNITVEC_PI = 3.1415927;
+#endif
+#ifndef UNITVEC_HAS_SIN_EIGHTH
+#define UNITVEC_HAS_SIN_EIGHTH
+float unitvec_sin_eighth(float r) {
+    UNITVEC_PRECISE float u = r * r;
+    UNITVEC_PRECISE float low = UNITVEC_SIN_0 + u * (UNITVEC_SIN_1 + u * (UNITVEC_SIN_2 + u * UNITVEC_SIN_3));
+    UNITVEC_PRECISE float sine = r * (UNITVEC_PI + low);
+    return sine;
+}
+float unitvec_cos_eighth(float r) {
+    UNITVEC_PRECISE float u = r * r;
+    UNITVEC_PRECISE float low = UNITVEC_COS_0 + u * (UNITVEC_COS_1 + u * (UNITVEC_COS_2 + u * UNITVEC_COS_3));
+    UNITVEC_PRECISE float cosine = 1.0 + u * low;
+    return cosine;
+}
 #endif
 #ifndef UNITVEC_HAS_OCT_BIAS
 #define UNITVEC_HAS_OCT_BIAS
@@ -328,21 +343,6 @@ float unitvec_atan_quarter(float q) {
     UNITVEC_PRECISE float odd = UNITVEC_TURN_1 + w * (UNITVEC_TURN_3 + w * (UNITVEC_TURN_5 + w * UNITVEC_TURN_7));
     UNITVEC_PRECISE float turn = q * (even + u * odd);
     return turn;
-}
-#endif
-#ifndef UNITVEC_HAS_SIN_EIGHTH
-#define UNITVEC_HAS_SIN_EIGHTH
-float unitvec_sin_eighth(float r) {
-    UNITVEC_PRECISE float u = r * r;
-    UNITVEC_PRECISE float low = UNITVEC_SIN_0 + u * (UNITVEC_SIN_1 + u * (UNITVEC_SIN_2 + u * UNITVEC_SIN_3));
-    UNITVEC_PRECISE float sine = r * (UNITVEC_PI + low);
-    return sine;
-}
-float unitvec_cos_eighth(float r) {
-    UNITVEC_PRECISE float u = r * r;
-    UNITVEC_PRECISE float low = UNITVEC_COS_0 + u * (UNITVEC_COS_1 + u * (UNITVEC_COS_2 + u * UNITVEC_COS_3));
-    UNITVEC_PRECISE float cosine = 1.0 + u * low;
-    return cosine;
 }
 #endif
 #ifndef UNITVEC_HAS_OCT_PACK_UNORM8X3

@@ -201,6 +201,18 @@ float unitvec_flip_sign(float x, uint sign_bit) {
 #define UNITVEC_HAS_2_23
 const float UNITVEC_2_23 = 8388608.0;
 #endif
+#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
+#define UNITVEC_HAS_SIGNED_QUOTIENT
+float unitvec_signed_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
+    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
+#endif
 #ifndef UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
 #define UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
 float unitvec_exact_inverse_root_near(float x, float unit) {
@@ -244,18 +256,6 @@ uint unitvec_nearest_pair(vec2 e, uint bits) {
 }
 vec2 unitvec_snorm_integers(uint code, uint bits) {
     return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
-}
-#endif
-#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
-#define UNITVEC_HAS_SIGNED_QUOTIENT
-float unitvec_signed_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
-    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
 }
 #endif
 #ifndef UNITVEC_HAS_NEARER
@@ -433,6 +433,8 @@ vec2 unitvec_diamond_point(uint code, uint bits) {
     return vec2(unitvec_flip_sign(x, odd ^ below), unitvec_flip_sign(y, below));
 }
 #endif
+#ifndef UNITVEC_HAS_FRAME_BASIS
+#define UNITVEC_HAS_FRAME_BASIS
 
 // Two unit vectors that make an orthonormal basis with the decoded normal n, whose z is not -0: right-handed, (first,
 // second, n).
@@ -446,6 +448,7 @@ void unitvec_frame_basis(vec3 n, out vec3 first, out vec3 second) {
     first = e;
     second = f;
 }
+#endif
 
 // Code of the angle of `tangent` about the decoded normal n. A tangent must have more of its L1 norm left in the plane
 // than the part `parallel`, along both axes together.

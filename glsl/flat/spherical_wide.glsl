@@ -209,12 +209,6 @@ float unitvec_signed_quotient(float a, float b) {
 #endif
 }
 #endif
-#ifndef UNITVEC_HAS_OR_Z
-#define UNITVEC_HAS_OR_Z
-vec3 unitvec_or_z(vec3 v) {
-    return unitvec_is_usable(unitvec_l1_norm(v)) ? v : vec3(0.0, 0.0, 1.0);
-}
-#endif
 #ifndef UNITVEC_HAS_SIN_0
 #define UNITVEC_HAS_SIN_0
 const float UNITVEC_SIN_0 = -9.759589e-8;
@@ -226,6 +220,12 @@ const float UNITVEC_COS_1 = 4.0586963;
 const float UNITVEC_COS_2 = -1.3347237;
 const float UNITVEC_COS_3 = 0.22859502;
 const float UNITVEC_PI = 3.1415927;
+#endif
+#ifndef UNITVEC_HAS_OR_Z
+#define UNITVEC_HAS_OR_Z
+vec3 unitvec_or_z(vec3 v) {
+    return unitvec_is_usable(unitvec_l1_norm(v)) ? v : vec3(0.0, 0.0, 1.0);
+}
 #endif
 #ifndef UNITVEC_HAS_WITHOUT_DENORMAL
 #define UNITVEC_HAS_WITHOUT_DENORMAL

@@ -12,8 +12,8 @@
 //   length_of_code(code, bits, steps, low)   that length; steps is a power of two to 2048, low from -62, 2^62 the most
 //   with_reach(v)                            the vector to encode: v or, if its components are huge, a shorter one
 //
-// Zero is exact, and so are powers of two along the axes. Greater lengths, infinite ones too, count as the greatest, lesser
-// ones as the least or, below half of it, as 0. A vector with NaN is 0.
+// Zero is exact, and so are powers of two along the axes. Greater lengths, infinite ones too, count as the greatest,
+// lesser ones as the least or, below half of it, as 0. A vector with NaN is 0.
 
 #ifndef UNITVEC_WITH_LENGTH_GLSL
 #define UNITVEC_WITH_LENGTH_GLSL
@@ -253,6 +253,15 @@ vec2 unitvec_snorm_integers(uint code, uint bits) {
     return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
 }
 #endif
+#ifndef UNITVEC_HAS_WITHOUT_DENORMAL
+#define UNITVEC_HAS_WITHOUT_DENORMAL
+float unitvec_without_denormal(float x) {
+    return abs(x) < UNITVEC_MIN_POSITIVE ? 0.0 : x;
+}
+vec3 unitvec_without_denormals(vec3 v) {
+    return vec3(unitvec_without_denormal(v.x), unitvec_without_denormal(v.y), unitvec_without_denormal(v.z));
+}
+#endif
 #ifndef UNITVEC_HAS_NEARER
 #define UNITVEC_HAS_NEARER
 vec4 unitvec_nearer(vec4 a, vec4 b) {
@@ -261,13 +270,11 @@ vec4 unitvec_nearer(vec4 a, vec4 b) {
     return of_b < of_a ? b : a;
 }
 #endif
-#ifndef UNITVEC_HAS_WITHOUT_DENORMAL
-#define UNITVEC_HAS_WITHOUT_DENORMAL
-float unitvec_without_denormal(float x) {
-    return abs(x) < UNITVEC_MIN_POSITIVE ? 0.0 : x;
-}
-vec3 unitvec_without_denormals(vec3 v) {
-    return vec3(unitvec_without_denormal(v.x), unitvec_without_denormal(v.y), unitvec_without_denormal(v.z));
+#ifndef UNITVEC_HAS_SCALED_TO_ONE
+#define UNITVEC_HAS_SCALED_TO_ONE
+vec3 unitvec_scaled_to_one(vec3 v, float l1_norm) {
+    UNITVEC_PRECISE vec3 scaled = unitvec_without_denormals(v) * unitvec_scale_to_one(l1_norm);
+    return scaled;
 }
 #endif
 #ifndef UNITVEC_HAS_OCT_BIAS
@@ -281,13 +288,6 @@ vec2 unitvec_oct_unpack_unorm8x3(uint code) {
 }
 vec2 unitvec_oct_unpack(uint code, uint bits) {
     return bits == 24u ? unitvec_oct_unpack_unorm8x3(code) : unitvec_snorm_integers(code, bits / 2u);
-}
-#endif
-#ifndef UNITVEC_HAS_SCALED_TO_ONE
-#define UNITVEC_HAS_SCALED_TO_ONE
-vec3 unitvec_scaled_to_one(vec3 v, float l1_norm) {
-    UNITVEC_PRECISE vec3 scaled = unitvec_without_denormals(v) * unitvec_scale_to_one(l1_norm);
-    return scaled;
 }
 #endif
 #ifndef UNITVEC_HAS_OCT_PACK_UNORM8X3

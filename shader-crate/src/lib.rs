@@ -71,7 +71,7 @@
 //!
 //! * octahedral: [`oct`]; [`uoct`], in two unorms; [`oct_wide`], finer than `f32`; [`eaoct`], with equal areas; [`soct`], with the sign of z
 //!   apart; [`hemioct`], for a hemisphere;
-//! * numbered points: [`ico`], the lattice of an icosahedron; [`hexcube`], those of a cube, cheaper; [`fib`], spherical Fibonacci points;
+//! * numbered points: [`ico`], the lattice of an icosahedron; [`hexcube`], hexagonal ones on a cube, cheaper; [`fib`], spherical Fibonacci points;
 //! * angles: [`spherical`]; [`spherical_wide`], finer than `f32`; [`cylindrical`]; [`latlong`];
 //! * projections: [`azimuthal`] (stereographic, equal-area, equidistant), [`cube`], [`parallel`];
 //! * components: [`snorm`], [`unorm`], [`float`](mod@float), [`best_fit`];

@@ -7,8 +7,8 @@
 //
 //   axial16_encode(v), axial16_decode(code)   also axial24, axial32
 //
-// The formats of hemioct.metal, with the nearest codes. v and -v have the same code. In decoded vectors the first component
-// that is not 0, of z, x and y in this order, is positive. Z stands in for vectors without a direction.
+// The formats of hemioct.metal, with the nearest codes. v and -v have the same code. In decoded vectors the first
+// component that is not 0, of z, x and y in this order, is positive. Z stands in for vectors without a direction.
 
 #ifndef UNITVEC_AXIAL_METAL
 #define UNITVEC_AXIAL_METAL
@@ -22,8 +22,8 @@ inline float3 unitvec_axial_end(float3 v) {
     return unitvec_is_negative(first) ? -v : v;
 }
 
-// The code, or that of the opposite direction if it is one of the equator, the square's border, with x < 0, or with x = 0
-// and y < 0.
+// The code, or that of the opposite direction if it is one of the equator, the square's border, with x < 0, or with
+// x = 0 and y < 0.
 inline uint unitvec_axial_one_of_two(uint code, uint bits) {
     uint part_bits = bits / 2u;
     uint most = unitvec_mask(part_bits - 1u);

@@ -15,8 +15,8 @@
 //   length_of_code(code, bits, steps, low)   that length; steps is a power of two to 2048, low from -62, 2^62 the most
 //   with_reach(v)                            the vector to encode: v or, if its components are huge, a shorter one
 //
-// Zero is exact, and so are powers of two along the axes. Greater lengths, infinite ones too, count as the greatest, lesser
-// ones as the least or, below half of it, as 0. A vector with NaN is 0.
+// Zero is exact, and so are powers of two along the axes. Greater lengths, infinite ones too, count as the greatest,
+// lesser ones as the least or, below half of it, as 0. A vector with NaN is 0.
 
 #ifndef UNITVEC_WITH_LENGTH_METAL
 #define UNITVEC_WITH_LENGTH_METAL

@@ -9,8 +9,8 @@
 //
 //   axial16_encode(v), axial16_decode(code)   also axial24, axial32
 //
-// The formats of hemioct.wgsl, with the nearest codes. v and -v have the same code. In decoded vectors the first component
-// that is not 0, of z, x and y in this order, is positive. Z stands in for vectors without a direction.
+// The formats of hemioct.wgsl, with the nearest codes. v and -v have the same code. In decoded vectors the first
+// component that is not 0, of z, x and y in this order, is positive. Z stands in for vectors without a direction.
 
 // The end of the axis of v whose first component that is not 0, of z, x and y, is positive. Denormals count as 0.
 fn unitvec_axial_end(v: vec3f) -> vec3f {
@@ -19,8 +19,8 @@ fn unitvec_axial_end(v: vec3f) -> vec3f {
     return select(v, -v, unitvec_is_negative(first));
 }
 
-// The code, or that of the opposite direction if it is one of the equator, the square's border, with x < 0, or with x = 0
-// and y < 0.
+// The code, or that of the opposite direction if it is one of the equator, the square's border, with x < 0, or with
+// x = 0 and y < 0.
 fn unitvec_axial_one_of_two(code: u32, bits: u32) -> u32 {
     let part_bits = bits / 2u;
     let most = unitvec_mask(part_bits - 1u);

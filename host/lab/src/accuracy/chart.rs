@@ -8,12 +8,13 @@ use std::error::Error;
 use unitvec_catalogue::Domain;
 
 /// Families with a colour; the others are grey.
-const COLOURED: [(&str, &str, RGBColor); 7] = [
+const COLOURED: [(&str, &str, RGBColor); 8] = [
     ("oct", "oct", RGBColor(230, 159, 0)),
     ("octp", "oct, precise", RGBColor(213, 94, 0)),
     ("latlongd", "latlong, precise decode", RGBColor(86, 180, 233)),
     ("eaoctp", "equal-area oct, precise", RGBColor(204, 121, 167)),
     ("fib", "Fibonacci", RGBColor(0, 158, 115)),
+    ("hexcube", "hexagons on a cube", RGBColor(120, 60, 20)),
     ("ico", "icosahedron", RGBColor(0, 114, 178)),
     ("hemioct", "hemi-oct (z >= 0, against the hemisphere's bound)", RGBColor(170, 150, 50)),
 ];

@@ -176,6 +176,8 @@ fn derivation(family: &str) -> (Encoder, Decoder) {
         "latlong" => (Encoder::Way(way(1, 1, 1)), Decoder::Way(way(2, 1, 0))),
         // The reciprocal of the length, the area from the pole, the azimuth; the spacing of points, and their distance.
         "fib" => (Encoder::Way(way(4, 2, 1)), Decoder::Way(way(0, 1, 0))),
+        // The reciprocal of the warp's denominator.
+        "hexcube" => (Encoder::Way(way(1, 0, 0)), Scaled),
         // The reciprocal of the sum, that of the determinant, and 1 / n.
         "ico" => (Encoder::Way(way(3, 0, 0)), Decoder::Way(way(2, 0, 0))),
         // The parts of the longest component, the distance of each candidate. Decoding: the largest integer.

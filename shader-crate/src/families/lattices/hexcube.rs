@@ -1,21 +1,22 @@
 //! Hexagonal cube codes: a hexagonal lattice on each face of a cube, warped to be even on the sphere.
 //!
-//! Source: the cube's faces, as in [`cube`](crate::cube); the warp, the lattice, the choice of the nearest and the layout
-//! of the codes are ours.
+//! Source: the cube's faces, as in [`cube`](crate::cube); the warp, the lattice, the choice of the nearest point and
+//! the layout of the codes are ours.
 //!
 //! # The lattice
 //!
-//! The component of largest magnitude chooses the face, and the two others, divided by it, are X and Y, -1 to 1. Equal
-//! steps of X are narrow at the face's edge. Equal steps of `u = 16 X / (11 + 5 |X|)`, whose inverse is
-//! `X = 11 u / (16 - 5 |u|)`, are nearly even, for one division each way. A tangent, `u = 4/pi atan(X)`, has a mean 0.3 %
-//! lower and the same maximum, but takes a long polynomial each way and coordinate.
+//! The component of largest magnitude chooses the face, and the two others, divided by it, are X and Y, -1 to 1.
+//! Equal steps of X are narrow at the face's edge. Equal steps of `u = 16 X / (11 + 5 |X|)`, whose inverse is
+//! `X = 11 u / (16 - 5 |u|)`, are nearly even, for one division when encoding and none when decoding. A tangent,
+//! `u = 4/pi atan(X)`, lowers mean and maximum by 0.25 %, and takes a long polynomial for each coordinate, both ways.
 //!
-//! The points of a face have a row j and a column i. Row 0 goes through the face's middle, and has a point there; every
-//! other row is moved by half a column. In steps of the rows, the edges v = -1 and 1 lie 13/32 beyond the last ones (17/32
-//! at 16 bits); in columns, the edges u = -1 and 1 lie 1/64 beyond the last points of every other row (1/16). So each
-//! direction has a near point on its own face, and none of the neighbours' need be looked at.
+//! A face's points stand in rows of equal v. The middle row has a point in the face's middle, and every other row is
+//! moved by half a column. Each direction has a near point on its own face, so that none of another face need be
+//! looked at: the edges u = -1 and 1 lie 1/64 of a column beyond the last points of every other row (1/16 at 16
+//! bits), the edges v = -1 and 1 lie 13/32 of a row beyond the last row (17/32). This takes a few points more than a
+//! lattice that goes on from face to face, which counts at 16 bits alone.
 //!
-//! | | rows | columns, each other row one less | points |
+//! | | rows | points of a row, every other has one less | points |
 //! |---|---|---|---|
 //! | `hexcube16` | 113 | 97 | 65,430 |
 //! | `hexcube24` | 1,805 | 1,549 | 16,770,258 |
@@ -26,33 +27,34 @@
 //!
 //! # Error
 //!
-//! Where a step is small, the map to the sphere is linear. A shift (du, dv) turns the direction by the square root of
-//! `E du^2 + 2 F du dv + G dv^2`, which is
-//! `((1 + Y^2) dX^2 - 2 X Y dX dY + (1 + X^2) dY^2) / (1 + X^2 + Y^2)^2` with `dX = 11/16 du / (1 - 5/16 |u|)^2`, and dY
-//! alike. The triangles of neighbouring points stay acute, so that no direction on a face is farther from the nearest
-//! point than the radius of the largest circumcircle. It is in the middles of a face's quadrants, at |u| = |v| = 0.46:
-//! 1.088 times the radius of the hexagons that would cover the sphere with as many cells as the bits have patterns, a
-//! bound that no code can beat. The mean is 1.011 times those hexagons'. At 16 bits, where edges weigh more and fewer
-//! patterns are points, the mean is 1.014 and the maximum, at the edges, 1.12 times. [`ico`](crate::ico) has 1.0035 and
-//! 1.0125, at more than twice the cost.
+//! Where a step is small, the map to the sphere is linear. A shift (dX, dY) turns the direction by the square root of
+//! `((1 + Y^2) dX^2 - 2 X Y dX dY + (1 + X^2) dY^2) / (1 + X^2 + Y^2)^2`, where dX is `11/16 du / (1 - 5/16 |u|)^2`,
+//! and dY alike: of `E du^2 + 2 F du dv + G dv^2`, for short. The triangles of neighbouring points are acute, so that
+//! no direction among them is farther from the nearest point than the radius of the largest circumcircle. With the
+//! sides a, b and c in this metric, the radius is `a b c / (4 area)`; the largest are in the middles of a face's
+//! quadrants, at |u| = |v| = 0.46. They are 1.088 times the radius of the hexagons that would cover the sphere with
+//! as many cells as the bits have patterns, a bound that no code can beat. The mean is 1.011 times those hexagons'.
+//! At 16 bits, where edges weigh more, the mean is 1.014 times, and the maximum, on the edges, 1.13 times.
+//! [`ico`](crate::ico) has 1.0035 and 1.0125, and costs about twice as much.
 //!
 //! # Encoding
 //!
-//! Of two candidates, the nearest of the even row beside the direction and of the odd one, the nearer is chosen. In the
-//! metric above, divided by E, a point (x, r) columns and pairs of rows away has the distance `(x - s r)^2 + q r^2` with
-//! `s = -F/E` and `q = (E G - F^2) / E^2`. So the nearest of a row is that to the direction, moved by s times its distance
-//! from the row. Both are polynomials here, good to 0.03 (s) and 0.5 (q, of 0.7 to 7.5), where cells are largest 0.1. The
-//! chosen point can be farther off than the nearest by 7 % of the maximum, where cells are small: this adds 5e-5 to the
-//! mean, as a part of it, and nothing to the maximum but at 16 bits.
+//! Of two candidates, the nearest of the even row beside the direction and that of the odd one, the nearer is chosen.
+//! In the metric above, divided by E, a point x columns and r pairs of rows away has the squared distance
+//! `(x - s r)^2 + q r^2`, with `s = -F/E` and `q = (E G - F^2) / E^2`. So the nearest of a row is the one that is nearest
+//! along the row to the direction, moved by s times its distance from the row. Polynomials stand for s and q. The
+//! chosen point can be farther off than the face's nearest by 7 % of the bound, where cells are small, and by 1.5 %
+//! where they are largest: this adds less than 1e-4 to the mean, as a part of it. Beside an edge the next face can
+//! have a nearer point; at 16 bits this adds 4e-4.
 //!
-//! * Layout: faces, +X, -X, +Y, -Y, +Z, -Z, take the same number of codes each, one after another. A face's rows follow
-//!   from its least v, points within a row from the least u: (u, v) is (y, z), (x, z), (x, y) on the faces of x, y, z. Codes
-//!   past the last, which `encode` never writes, decode like the last.
-//! * The six axes round-trip exactly. Mirrored directions decode to mirrored vectors, exactly, if they do not lie in the
-//!   coordinate plane and are not as near to two points.
-//! * Good for: the least error but for `ico`'s, at a cost between the fast and the precise octahedral encoders at the same
-//!   bits and the searches. Weaknesses: codes do not go on from face to face, so that they must not be interpolated;
-//!   edges and corners of the cube do not round-trip.
+//! * Layout: faces, +X, -X, +Y, -Y, +Z, -Z, take the same number of codes each, one after another. A face's rows
+//!   follow from its least v, points within a row from the least u: (u, v) is (y, z), (x, z), (x, y) on the faces of
+//!   x, y, z. Codes past the last, which `encode` never writes, decode like the last.
+//! * The six axes round-trip exactly. A direction mirrored at a coordinate plane decodes to the mirrored vector,
+//!   exactly, if it does not lie in the plane.
+//! * Good for: little error at a low cost, in files and on GPUs: only [`ico`](crate::ico) has less, mean and maximum
+//!   together. Weaknesses: neighbouring rows and faces are unrelated, so that codes must not be interpolated; edges
+//!   and corners of the cube do not round-trip.
 
 use crate::arith::{
     coefficients, is_negative, mask, max, min, nearest_whole, negate_if, normalize, reciprocal, small_floor,
@@ -68,8 +70,8 @@ const FRONT: f32 = 0.6875;
 const SIDE: f32 = 0.3125;
 
 coefficients! {
-    /// Coefficients of `s = u v (SHEAR_0 - SHEAR_1 u)`, in columns for a pair of rows: fitted so that the greatest error
-    /// is least, errors near the largest cells counting most.
+    /// Coefficients of `s = u v (SHEAR_0 - SHEAR_1 u)`, in columns for a pair of rows: fitted so that the greatest
+    /// error is least, errors near the largest cells counting most.
     SHEAR_0 = 1.077, SHEAR_1 = 0.2198;
     /// Coefficients of `q = (HEIGHT_0 - u)^2 (HEIGHT_1 + HEIGHT_2 v) + HEIGHT_3`, fitted alike.
     HEIGHT_0 = 1.6427, HEIGHT_1 = 0.4367, HEIGHT_2 = 1.6323, HEIGHT_3 = 1.2677;
@@ -209,6 +211,9 @@ where
     Self: Width,
 {
     const BITS: u32 = BITS;
+    /// The radius of the largest circumcircle of neighbouring points, 0.033483 and 0.0020919 degrees, with as much for
+    /// the choice of the point and the arithmetic as millions of directions near the largest add, and half as much again.
+    /// At 16 bits, the greatest error on the edges, which a face's own points have to reach, found in the same way.
     const MAX_ERROR_DEG: f32 = match BITS {
         16 => 0.556,
         24 => 0.03351,
