@@ -1,7 +1,9 @@
 //! The formats of other software: nearest codes, the originals' published values, names, slices.
 
 use glam::Vec3;
-use unitvec::interop::{FRAMES, Format, FrameFormat, UnknownFormat, decode_angle, encode_angle};
+use unitvec::interop::{
+    FRAMES, Format, FrameFormat, RotationFormat, UnknownFormat, decode_angle, encode_angle,
+};
 use unitvec::slice::Strided;
 use unitvec::slice::machine::Level;
 use unitvec::{Frame, angle_deg, interop};
@@ -338,7 +340,7 @@ fn names_are_found_and_others_explained() {
         catalogued.encode_cpu(&vector, &mut code[..format.bytes()]).unwrap();
         assert_eq!(u64::from_le_bytes(code), format.encode(vector), "{format}");
     }
-    assert_eq!(formats().len(), 2 * Format::all().count() + FRAMES.len());
+    assert_eq!(formats().len(), 2 * (Format::all().count() + RotationFormat::all().count()) + FRAMES.len());
     assert!(find("draco:10").is_err() && find_any("oct32p").is_ok());
     let width = |name| matches!(Format::named(name), Err(UnknownFormat::Bits { .. }));
     assert!(

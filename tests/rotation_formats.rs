@@ -1,6 +1,7 @@
 //! Rotations in the formats of other software: nearest codes, published values and errors.
 
-use unitvec::interop::{ROTATIONS, RotationFormat, UnknownFormat, rotation_deg};
+use unitvec::interop::{ROTATIONS, RotationFormat, UnknownFormat};
+use unitvec::rotation_angle_deg;
 use unitvec_oracle::Summary;
 use unitvec_tests::directions::Rng;
 
@@ -34,7 +35,7 @@ fn back(format: RotationFormat, q: [f32; 4]) -> [f32; 4] {
 }
 
 fn error(format: RotationFormat, q: [f32; 4]) -> f64 {
-    rotation_deg(q, back(format, q))
+    rotation_angle_deg(q, back(format, q))
 }
 
 fn off_unit(q: &[f32; 4]) -> f64 {
@@ -53,7 +54,7 @@ fn no_code_is_nearer() {
         let all = codes.iter().map(|code| format.decode(*code));
         let all: Vec<[f32; 4]> = all.filter(|q| off_unit(q) < 4e-5).collect();
         for q in rotations(1, 300) {
-            let best = all.iter().map(|other| rotation_deg(q, *other)).fold(f64::INFINITY, f64::min);
+            let best = all.iter().map(|other| rotation_angle_deg(q, *other)).fold(f64::INFINITY, f64::min);
             assert!(error(format, q) <= best + 1e-9, "{format}: {q:?}: {best}");
         }
     }
@@ -73,7 +74,8 @@ fn the_nearest_is_within_its_bound_and_beats_those_around() {
             let beside = q.map(|c| c + rng.range(-1.0, 1.0) as f32 * bound.to_radians() as f32);
             let other = back(if i % 2 == 0 { format } else { format.plain() }, beside);
             // Plain codes of components may be too long for glTF's validator.
-            let is_nearer = off_unit(&other) < 0.0076 && rotation_deg(q, other) < error(format, q) - 1e-9;
+            let is_nearer =
+                off_unit(&other) < 0.0076 && rotation_angle_deg(q, other) < error(format, q) - 1e-9;
             assert!(!is_nearer, "{format}: {q:?}: {beside:?}");
         }
     }
@@ -83,7 +85,7 @@ fn the_nearest_is_within_its_bound_and_beats_those_around() {
 #[test]
 fn all_inputs_have_codes_that_come_back() {
     // To the precision of f32, in which some neighbours are one.
-    let are_same = |a, b| rotation_deg(a, b) <= 2e-5;
+    let are_same = |a, b| rotation_angle_deg(a, b) <= 2e-5;
     for format in RotationFormat::all() {
         for q in [[0.0; 4], [f32::NAN, 0.0, 0.0, 1.0], [f32::INFINITY; 4]] {
             for format in [format, format.plain()] {

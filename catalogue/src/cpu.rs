@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 use unitvec::best_fit::{EncodeByTable, TABLE_WORDS, fill_table};
 use unitvec::codec::RawCode;
-use unitvec::interop::{Format, FrameFormat};
+use unitvec::interop::{Format, FrameFormat, RotationFormat};
 use unitvec::slice::machine::Level;
 use unitvec::slice::{
     DecodeAt, EncodeAt, LengthMismatch, decode_frames, decode_rotations, decode_slice_at, encode_frames,
@@ -31,6 +31,7 @@ pub enum AnyFunctions {
     /// A value, whose functions need it.
     Format(Format),
     FrameFormat(FrameFormat),
+    RotationFormat(RotationFormat),
 }
 
 impl Functions<3> {
@@ -107,6 +108,16 @@ macro_rules! with_functions {
                         .encode_slice_at(level, vectors, codes),
                     |level, codes: &[u8], vectors: &mut [[f32; 3]]| format
                         .decode_slice_at(level, codes, vectors)
+                );
+                $result
+            }
+            AnyFunctions::RotationFormat(format) => {
+                let $functions = $crate::cpu::of_value!(
+                    format,
+                    |_: Level, rotations: &[[f32; 4]], codes: &mut [u8]| format
+                        .encode_slice(rotations, codes),
+                    |_: Level, codes: &[u8], rotations: &mut [[f32; 4]]| format
+                        .decode_slice(codes, rotations)
                 );
                 $result
             }

@@ -4,16 +4,18 @@ use crate::cpu::AnyFunctions;
 use crate::{AnyCodec, Element, UnknownCodec, find};
 use std::sync::LazyLock;
 use unitvec::Domain;
-use unitvec::interop::{FRAMES, Format, FrameFormat, UnknownFormat};
+use unitvec::interop::{FRAMES, Format, FrameFormat, RotationFormat, UnknownFormat};
 
 /// The word after a name that stands for the plain encoder of the original.
 const PLAIN: &str = " plain";
 
 /// All formats of [`unitvec::interop`]: of vectors at each width, each with its nearest encoder and then with its plain one,
-/// whose names end in ` plain`; and those of frames. No backend but the CPU has them.
+/// whose names end in ` plain`; of rotations likewise; and those of frames. No backend but the CPU has them.
 pub fn formats() -> &'static [AnyCodec] {
-    static FORMATS: LazyLock<Vec<AnyCodec>> =
-        LazyLock::new(|| Format::all().flat_map(of_vectors).chain(FRAMES.iter().map(of_frames)).collect());
+    static FORMATS: LazyLock<Vec<AnyCodec>> = LazyLock::new(|| {
+        let others = RotationFormat::all().flat_map(of_rotations).chain(FRAMES.iter().map(of_frames));
+        Format::all().flat_map(of_vectors).chain(others).collect()
+    });
     &FORMATS
 }
 
@@ -25,6 +27,20 @@ fn of_vectors(format: Format) -> [AnyCodec; 2] {
         max_errors_deg: Vec::leak(vec![format.max_error_deg()]),
         null: format.null().map(|code| [code as u32, (code >> 32) as u32]),
         ..of(String::leak(format!("{format}{ending}")), Element::Vector, AnyFunctions::Format(format))
+    })
+}
+
+/// The nearest and the plain encoder of a format of rotations.
+fn of_rotations(format: RotationFormat) -> [AnyCodec; 2] {
+    [("", format), (PLAIN, format.plain())].map(|(ending, format)| AnyCodec {
+        bits: format.bits(),
+        bytes: format.bytes(),
+        max_errors_deg: Vec::leak(vec![format.max_error_deg()]),
+        ..of(
+            String::leak(format!("{format}{ending}")),
+            Element::Rotation,
+            AnyFunctions::RotationFormat(format),
+        )
     })
 }
 
@@ -78,12 +94,16 @@ impl AnyCodec {
 
     /// The same format with the plain encoder of the original; `None` for codecs.
     pub fn plain(&self) -> Option<&'static AnyCodec> {
-        let plain = self.format()?.plain();
-        formats().iter().find(|other| other.format() == Some(plain))
+        if !self.is_format() || self.element == Element::Frame {
+            return None;
+        }
+        let plain = format!("{}{PLAIN}", self.id.trim_end_matches(PLAIN));
+        formats().iter().find(|other| other.id == plain)
     }
 }
 
-/// The codec of this name, as [`find`] takes it, or the format of other software, as [`Format::named`] does.
+/// The codec of this name, as [`find`] takes it, or the format of other software, as [`Format::named`] and
+/// [`RotationFormat::named`] do.
 ///
 /// # Errors
 /// [`UnknownCodec`] if there is none, with the widths where only these are wrong.
@@ -91,8 +111,10 @@ pub fn find_any(name: &str) -> Result<&'static AnyCodec, UnknownCodec> {
     if let Some(format) = formats().iter().find(|format| format.id.eq_ignore_ascii_case(name)) {
         return Ok(format);
     }
-    find(name).map_err(|error| match Format::named(name) {
-        Err(bits @ UnknownFormat::Bits { .. }) => UnknownCodec { id: error.id, of_format: Some(bits) },
+    find(name).map_err(|error| match (Format::named(name).err(), RotationFormat::named(name).err()) {
+        (Some(bits @ UnknownFormat::Bits { .. }), _) | (_, Some(bits @ UnknownFormat::Bits { .. })) => {
+            UnknownCodec { id: error.id, of_format: Some(bits) }
+        }
         _ => error,
     })
 }

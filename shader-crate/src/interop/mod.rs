@@ -49,7 +49,7 @@ use glam::Vec3;
 use list::Mapping;
 pub use list::{ROWS, Row};
 use octahedral::with_lattice;
-pub use rotations::{ROTATIONS, RotationFormat, rotation_deg};
+pub use rotations::{ROTATIONS, RotationFormat};
 
 /// A format of other software, of a number of bits, with the nearest or the [plain](Self::plain) encoder.
 #[derive(Clone, Copy, Debug)]

@@ -1,13 +1,13 @@
 //! Rotations in the formats of other software: unit quaternions x, y, z, w, of which q and -q are one rotation.
 //!
 //! ```
-//! use unitvec::interop::{RotationFormat, rotation_deg};
+//! use unitvec::{interop::RotationFormat, rotation_angle_deg};
 //!
 //! let format = RotationFormat::named("spz")?;
 //! let turn = [0.18, 0.36, 0.54, 0.74];
 //! let nearest = format.decode(format.encode(turn));
 //! let plain = format.decode(format.plain().encode(turn));
-//! assert!(rotation_deg(turn, nearest) <= rotation_deg(turn, plain));
+//! assert!(rotation_angle_deg(turn, nearest) <= rotation_angle_deg(turn, plain));
 //! # Ok::<(), unitvec::interop::UnknownFormat>(())
 //! ```
 //!
@@ -265,12 +265,24 @@ impl RotationFormat {
         }
     }
 
+    /// [`encode`](Self::encode) as words, low word first.
+    #[doc(hidden)]
+    pub fn encode_words(self, q: [f32; 4]) -> [u32; 2] {
+        parted(self.encode(q))
+    }
+
+    /// [`decode`](Self::decode) of words, low word first.
+    #[doc(hidden)]
+    pub fn decode_words(self, code: [u32; 2]) -> [f32; 4] {
+        self.decode(joined(code))
+    }
+
     /// [`encode`](Self::encode) of each rotation, into [`bytes`](Self::bytes) little-endian bytes each, without gaps.
     ///
     /// # Errors
     /// [`LengthMismatch`] unless `codes` is as long as the rotations' codes. Nothing is written then.
     pub fn encode_slice(self, rotations: &[[f32; 4]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
-        store_each(rotations, codes, self.bytes(), |q| parted(self.encode(*q)))
+        store_each(rotations, codes, self.bytes(), |q| self.encode_words(*q))
     }
 
     /// The reverse of [`encode_slice`](Self::encode_slice).
@@ -278,15 +290,8 @@ impl RotationFormat {
     /// # Errors
     /// The errors of [`encode_slice`](Self::encode_slice).
     pub fn decode_slice(self, codes: &[u8], rotations: &mut [[f32; 4]]) -> Result<(), LengthMismatch> {
-        load_each(codes, rotations, self.bytes(), |code| self.decode(joined(code)))
+        load_each(codes, rotations, self.bytes(), |code| self.decode_words(code))
     }
-}
-
-/// The angle of the rotation between two, in degrees from 0 to 180: of quaternions of any length.
-#[must_use]
-pub fn rotation_deg(a: impl Into<[f32; 4]>, b: impl Into<[f32; 4]>) -> f64 {
-    let (across, along) = parts(a.into().map(f64::from), b.into().map(f64::from));
-    2.0 * across.sqrt().atan2(along.abs()).to_degrees()
 }
 
 /// The squared sine of the angle between two quaternions, and its cosine, times their lengths squared.

@@ -13,17 +13,18 @@
 //   uint code = hemioct16p_encode(cap_to_hemisphere(v, cap));
 //   vec3 back = hemisphere_to_cap(hemioct16p_decode(code), cap);
 //
-//   cap_about(axis, half_angle)     the cap: its axis at unit length, and (1 - cos half_angle) / 2. +Z stands in for an axis
-//                                   that has no direction. Radians: 2^-12 to 120 degrees; larger ones and NaN are the
-//                                   whole sphere, for a hemisphere's codec 120 degrees
+//   cap_about(axis, half_angle)     the cap: its axis at unit length, +Z where it has no direction, and
+//                                   (1 - cos half_angle) / 2. Radians, 2^-12 to 120 degrees; larger ones and NaN are
+//                                   the whole sphere, for a hemisphere's codec 120 degrees
 //   cap_to_hemisphere(v, cap)       what a codec of the hemisphere is to encode: the better choice
 //   hemisphere_to_cap(u, cap)       the direction that the codec's vector u, of unit length, stands for
 //   cap_to_sphere, sphere_to_cap    the same for a codec of the sphere, a quarter of whose codes stay unused
 //   dense_about(axis, ratio)        `ratio` times as many codes in front of the axis as behind, 1 to 64
 //   dense_to_sphere(v, dense), sphere_to_dense(u, dense)    the same for these, and a codec of the sphere
 //
-// The maps keep areas, and shrink the codec's error by up to the root of the area's part. Any v will do: those outside of
-// the cap get the nearest direction of its rim, those without a direction the axis. The Rust crate's module `wrap` has the error.
+// The maps keep areas, and shrink the codec's error by up to the root of the area's part. Any v will do: those outside
+// of the cap get the nearest direction of its rim, those without a direction the axis. The Rust crate's module `wrap`
+// has the error.
 
 #ifndef UNITVEC_CAP_GLSL
 #define UNITVEC_CAP_GLSL
@@ -62,8 +63,8 @@ UnitvecCapPlace unitvec_cap_place(vec3 u) {
     return at;
 }
 
-// The place of the direction of v about a unit axis; that of the axis where v has none. The difference from the axis, or its
-// opposite, keeps small angles exact.
+// The place of the direction of v about a unit axis; that of the axis where v has none. The difference from the axis,
+// or its opposite, keeps small angles exact.
 UnitvecCapPlace unitvec_cap_place_about(vec3 axis, vec3 v) {
     float norm = unitvec_l1_norm(v);
     vec3 n = unitvec_is_usable(norm) ? unitvec_normalize(unitvec_scaled_to_one(v, norm)) : axis;

@@ -12,9 +12,9 @@
 //   hexcube16_encode(v), hexcube16_decode(code)      integer codes; also hexcube24, hexcube32
 //
 // The code functions take any v: length does not matter, and +Z stands in for vectors without a direction. Layout: the
-// points of the faces +X, -X, +Y, -Y, +Z, -Z one after another, each by rows from the least v, and within a row from the
-// least u. (u, v) is (y, z), (x, z), (x, y) on the faces of x, y, z. Every other row has a point less. Past the last code
-// all decode like the last.
+// points of the faces +X, -X, +Y, -Y, +Z, -Z one after another, each by rows from the least v, and within a row from
+// the least u. (u, v) is (y, z), (x, z), (x, y) on the faces of x, y, z. Every other row has a point less. Past the
+// last code all decode like the last.
 
 #ifndef UNITVEC_HEXCUBE_GLSL
 #define UNITVEC_HEXCUBE_GLSL
@@ -62,8 +62,8 @@ uint unitvec_hexcube_face(UnitvecHexcubeLattice lattice) {
     return uint(2 * unitvec_hexcube_middle(lattice) + 1);
 }
 
-// The point of the quarter face u, v >= 0 for X and Y: p over side. Its column, from the middle on, and its row in pairs:
-// whole numbers, or both halves.
+// The point of the quarter face u, v >= 0 for X and Y: p over side. Its column, from the middle on, and its row in
+// pairs: whole numbers, or both halves.
 vec2 unitvec_hexcube_nearest(vec2 p, float side, UnitvecHexcubeLattice lattice) {
     float front = min(UNITVEC_HEXCUBE_FRONT * side, UNITVEC_HUGE);
     vec2 warped = min(front + min(UNITVEC_HEXCUBE_SIDE * p, UNITVEC_HUGE), UNITVEC_HUGE);
@@ -163,9 +163,11 @@ uint hexcube32_encode(vec3 v) { return unitvec_hexcube_encode(v, UNITVEC_HEXCUBE
 vec3 hexcube16_decode(uint code) {
     return unitvec_hexcube_decode(code & unitvec_mask(16u), UNITVEC_HEXCUBE_LATTICE_16);
 }
+
 vec3 hexcube24_decode(uint code) {
     return unitvec_hexcube_decode(code & unitvec_mask(24u), UNITVEC_HEXCUBE_LATTICE_24);
 }
+
 vec3 hexcube32_decode(uint code) { return unitvec_hexcube_decode(code, UNITVEC_HEXCUBE_LATTICE_32); }
 
 #endif

@@ -10,9 +10,9 @@
 //   hexcube16_encode(v), hexcube16_decode(code)      integer codes; also hexcube24, hexcube32
 //
 // The code functions take any v: length does not matter, and +Z stands in for vectors without a direction. Layout: the
-// points of the faces +X, -X, +Y, -Y, +Z, -Z one after another, each by rows from the least v, and within a row from the
-// least u. (u, v) is (y, z), (x, z), (x, y) on the faces of x, y, z. Every other row has a point less. Past the last code
-// all decode like the last.
+// points of the faces +X, -X, +Y, -Y, +Z, -Z one after another, each by rows from the least v, and within a row from
+// the least u. (u, v) is (y, z), (x, z), (x, y) on the faces of x, y, z. Every other row has a point less. Past the
+// last code all decode like the last.
 
 #ifndef UNITVEC_HEXCUBE_METAL
 #define UNITVEC_HEXCUBE_METAL
@@ -59,8 +59,8 @@ inline uint unitvec_hexcube_face(UnitvecHexcubeLattice lattice) {
     return uint(2 * unitvec_hexcube_middle(lattice) + 1);
 }
 
-// The point of the quarter face u, v >= 0 for X and Y: p over side. Its column, from the middle on, and its row in pairs:
-// whole numbers, or both halves.
+// The point of the quarter face u, v >= 0 for X and Y: p over side. Its column, from the middle on, and its row in
+// pairs: whole numbers, or both halves.
 inline float2 unitvec_hexcube_nearest(float2 p, float side, UnitvecHexcubeLattice lattice) {
     float front = min(UNITVEC_HEXCUBE_FRONT * side, UNITVEC_HUGE);
     float2 warped = min(front + min(UNITVEC_HEXCUBE_SIDE * p, float2(UNITVEC_HUGE)), float2(UNITVEC_HUGE));
@@ -160,9 +160,11 @@ inline uint hexcube32_encode(float3 v) { return unitvec_hexcube_encode(v, UNITVE
 inline float3 hexcube16_decode(uint code) {
     return unitvec_hexcube_decode(code & unitvec_mask(16u), UNITVEC_HEXCUBE_LATTICE_16);
 }
+
 inline float3 hexcube24_decode(uint code) {
     return unitvec_hexcube_decode(code & unitvec_mask(24u), UNITVEC_HEXCUBE_LATTICE_24);
 }
+
 inline float3 hexcube32_decode(uint code) { return unitvec_hexcube_decode(code, UNITVEC_HEXCUBE_LATTICE_32); }
 
 #endif

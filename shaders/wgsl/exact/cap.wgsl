@@ -13,17 +13,18 @@
 //   u32 code = hemioct16p_encode(cap_to_hemisphere(v, cap));
 //   vec3f back = hemisphere_to_cap(hemioct16p_decode(code), cap);
 //
-//   cap_about(axis, half_angle)     the cap: its axis at unit length, and (1 - cos half_angle) / 2. +Z stands in for an axis
-//                                   that has no direction. Radians: 2^-12 to 120 degrees; larger ones and NaN are the
-//                                   whole sphere, for a hemisphere's codec 120 degrees
+//   cap_about(axis, half_angle)     the cap: its axis at unit length, +Z where it has no direction, and
+//                                   (1 - cos half_angle) / 2. Radians, 2^-12 to 120 degrees; larger ones and NaN are
+//                                   the whole sphere, for a hemisphere's codec 120 degrees
 //   cap_to_hemisphere(v, cap)       what a codec of the hemisphere is to encode: the better choice
 //   hemisphere_to_cap(u, cap)       the direction that the codec's vector u, of unit length, stands for
 //   cap_to_sphere, sphere_to_cap    the same for a codec of the sphere, a quarter of whose codes stay unused
 //   dense_about(axis, ratio)        `ratio` times as many codes in front of the axis as behind, 1 to 64
 //   dense_to_sphere(v, dense), sphere_to_dense(u, dense)    the same for these, and a codec of the sphere
 //
-// The maps keep areas, and shrink the codec's error by up to the root of the area's part. Any v will do: those outside of
-// the cap get the nearest direction of its rim, those without a direction the axis. The Rust crate's module `wrap` has the error.
+// The maps keep areas, and shrink the codec's error by up to the root of the area's part. Any v will do: those outside
+// of the cap get the nearest direction of its rim, those without a direction the axis. The Rust crate's module `wrap`
+// has the error.
 
 // 2^-80, the least that x^2 + y^2 counts as. So no denormal counts.
 const UNITVEC_CAP_LEAST_SQUARE: f32 = 8.271806125530277e-25;
@@ -56,8 +57,8 @@ fn unitvec_cap_place(u: vec3f) -> UnitvecCapPlace {
     return at;
 }
 
-// The place of the direction of v about a unit axis; that of the axis where v has none. The difference from the axis, or its
-// opposite, keeps small angles exact.
+// The place of the direction of v about a unit axis; that of the axis where v has none. The difference from the axis,
+// or its opposite, keeps small angles exact.
 fn unitvec_cap_place_about(axis: vec3f, v: vec3f) -> UnitvecCapPlace {
     let norm = unitvec_l1_norm(v);
     let n = select(axis, unitvec_normalize(unitvec_scaled_to_one(v, norm)), unitvec_is_usable(norm));

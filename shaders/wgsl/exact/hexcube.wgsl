@@ -12,9 +12,9 @@
 //   hexcube16_encode(v), hexcube16_decode(code)      integer codes; also hexcube24, hexcube32
 //
 // The code functions take any v: length does not matter, and +Z stands in for vectors without a direction. Layout: the
-// points of the faces +X, -X, +Y, -Y, +Z, -Z one after another, each by rows from the least v, and within a row from the
-// least u. (u, v) is (y, z), (x, z), (x, y) on the faces of x, y, z. Every other row has a point less. Past the last code
-// all decode like the last.
+// points of the faces +X, -X, +Y, -Y, +Z, -Z one after another, each by rows from the least v, and within a row from
+// the least u. (u, v) is (y, z), (x, z), (x, y) on the faces of x, y, z. Every other row has a point less. Past the
+// last code all decode like the last.
 
 // The warp's two weights.
 const UNITVEC_HEXCUBE_FRONT: f32 = 0.6875;
@@ -56,8 +56,8 @@ fn unitvec_hexcube_face(lattice: UnitvecHexcubeLattice) -> u32 {
     return u32(2 * unitvec_hexcube_middle(lattice) + 1);
 }
 
-// The point of the quarter face u, v >= 0 for X and Y: p over side. Its column, from the middle on, and its row in pairs:
-// whole numbers, or both halves.
+// The point of the quarter face u, v >= 0 for X and Y: p over side. Its column, from the middle on, and its row in
+// pairs: whole numbers, or both halves.
 fn unitvec_hexcube_nearest(p: vec2f, side: f32, lattice: UnitvecHexcubeLattice) -> vec2f {
     let front = min(UNITVEC_HEXCUBE_FRONT * side, UNITVEC_HUGE);
     let warped = min(front + min(UNITVEC_HEXCUBE_SIDE * p, vec2f(UNITVEC_HUGE)), vec2f(UNITVEC_HUGE));
@@ -158,7 +158,9 @@ fn hexcube32_encode(v: vec3f) -> u32 { return unitvec_hexcube_encode(v, UNITVEC_
 fn hexcube16_decode(code: u32) -> vec3f {
     return unitvec_hexcube_decode(code & unitvec_mask(16u), UNITVEC_HEXCUBE_LATTICE_16);
 }
+
 fn hexcube24_decode(code: u32) -> vec3f {
     return unitvec_hexcube_decode(code & unitvec_mask(24u), UNITVEC_HEXCUBE_LATTICE_24);
 }
+
 fn hexcube32_decode(code: u32) -> vec3f { return unitvec_hexcube_decode(code, UNITVEC_HEXCUBE_LATTICE_32); }

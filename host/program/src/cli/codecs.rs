@@ -2,7 +2,7 @@ use super::run::Json;
 use super::table::{self, Layout, left, right};
 use clap::Args;
 use std::process::ExitCode;
-use unitvec::interop::{FRAMES, ROWS};
+use unitvec::interop::{FRAMES, ROTATIONS, ROWS};
 use unitvec_catalogue::{CODECS, Domain, frames, rotations, vectors};
 use unitvec_host::Result;
 
@@ -108,8 +108,12 @@ fn tables(columns: Option<usize>) -> String {
             &codec.glsl_file(),
         ]);
     }
-    let names =
-        ROWS.iter().map(ToString::to_string).chain(FRAMES.iter().map(|format| format.name.to_owned()));
+    let of_others = FRAMES
+        .iter()
+        .map(|format| format.name)
+        .chain(ROTATIONS.iter().map(|format| format.name))
+        .map(str::to_owned);
+    let names = ROWS.iter().map(ToString::to_string).chain(of_others);
     let names = names.collect::<Vec<_>>().join(", ");
     let words = format!("\nformats of other software, for encode, decode, error and snap: {names}\n");
     // A list has no columns to show: lines of a length that is easy to read, on any terminal.
