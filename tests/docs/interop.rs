@@ -2,10 +2,11 @@
 
 use super::tables::degrees;
 use super::{markdown_table, recorded, slices};
-use glam::Vec3;
+use glam::{Mat3, Quat, Vec3};
 use std::collections::BTreeMap;
-use unitvec::interop::{FRAMES, Format, ROWS};
-use unitvec::{Frame, Frame32, Frame64, FrameCodec, angle_deg};
+use unitvec::interop::{FRAMES, Format, ROTATIONS, ROWS, RotationFormat};
+use unitvec::{Frame, Frame32, Frame64, FrameCodec, Quat32, RotationCodec, angle_deg, rotation_angle_deg};
+use unitvec_run::sampling::random_rotations;
 use unitvec_tests::directions::sphere;
 use unitvec_tests::repository;
 
@@ -42,6 +43,24 @@ fn of_frames(frames: &[Frame], trip: &Trip) -> [f64; 4] {
 /// A frame, encoded and decoded.
 type Trip = Box<dyn Fn(Frame) -> Frame>;
 
+/// The formats of rotations of the table, as [`formats`] are those of vectors.
+fn rotation_formats() -> impl Iterator<Item = RotationFormat> {
+    let is_shown = |format: &RotationFormat| {
+        let [least, most] = format.widths;
+        least == most || [8, 10, 12, 16].contains(&format.component_bits)
+    };
+    RotationFormat::all().filter(is_shown)
+}
+
+/// The rotation that turns X to a frame's tangent and Z to its normal, encoded and decoded, as a frame of the same
+/// handedness.
+fn as_rotation(frame: Frame, trip: impl Fn([f32; 4]) -> [f32; 4]) -> Frame {
+    let (normal, tangent) = (frame.normal.normalize(), frame.tangent.normalize());
+    let turned = Mat3::from_cols(tangent, normal.cross(tangent), normal);
+    let decoded = Quat::from_array(trip(Quat::from_mat3(&turned).to_array())).normalize();
+    Frame { normal: decoded * Vec3::Z, tangent: decoded * Vec3::X, handedness: frame.handedness }
+}
+
 /// A split of the bits of a frame: its name, what it is, its bits, and the trip.
 fn splits() -> Vec<(&'static str, &'static str, u32, Trip)> {
     let ours: [(_, _, _, Trip); 2] = [
@@ -52,12 +71,30 @@ fn splits() -> Vec<(&'static str, &'static str, u32, Trip)> {
         let trip = Box::new(move |frame| format.decode(format.encode(frame)));
         (format.name, format.source, format.bits, trip)
     });
-    ours.into_iter().chain(others).collect()
+    let smallest = RotationFormat::named("smallest3:10").unwrap();
+    let rotations: [(_, _, _, Trip); 2] = [
+        (
+            "smallest3:10",
+            "a rotation, 10 + 10 + 10 + 2; handedness beside it",
+            32,
+            Box::new(move |frame| as_rotation(frame, |q| smallest.decode(smallest.encode(q)))),
+        ),
+        (
+            "quat32",
+            "a rotation; handedness beside it",
+            32,
+            Box::new(|frame| as_rotation(frame, |q| Quat32::decode(Quat32::encode(q)))),
+        ),
+    ];
+    ours.into_iter().chain(others).chain(rotations).collect()
 }
 
 /// Errors of the same splits on the mesh of Kapoulkine's article, "Quantizing tangent frames" (2026): normal, then tangent.
-const KAPOULKINE: [(&str, [f64; 4]); 2] =
-    [("frame32", [0.0272, 0.1136, 0.1775, 0.3588]), ("frame32-signed", [0.0444, 0.1371, 0.0954, 0.2149])];
+const KAPOULKINE: [(&str, [f64; 4]); 3] = [
+    ("frame32", [0.0272, 0.1136, 0.1775, 0.3588]),
+    ("frame32-signed", [0.0444, 0.1371, 0.0954, 0.2149]),
+    ("smallest3:10", [0.0632, 0.2046, 0.0640, 0.1988]),
+];
 
 /// Measures what the docs state.
 #[test]
@@ -71,6 +108,15 @@ fn measure() {
         let count = if format.to_string() == "gltf-snorm16" { 1 << 14 } else { 1 << 18 };
         let error = |format: Format| {
             summary(sphere(71, count).map(|v| angle_deg(v, format.decode::<[f32; 3]>(format.encode(v)))))
+        };
+        let [plain, nearest] = [error(format.plain()), error(format)];
+        write(&format.to_string(), [plain[0], plain[1], nearest[0], nearest[1]]);
+    }
+    for format in rotation_formats() {
+        let count = if format.name == "gltf-quat16" { 1 << 13 } else { 1 << 17 };
+        let error = |format: RotationFormat| {
+            let rotations = random_rotations(74).take(count);
+            summary(rotations.map(|q| rotation_angle_deg(q, format.decode(format.encode(q)))))
         };
         let [plain, nearest] = [error(format.plain()), error(format)];
         write(&format.to_string(), [plain[0], plain[1], nearest[0], nearest[1]]);
@@ -103,6 +149,28 @@ pub fn table() -> String {
     let titles =
         "format | bits | bytes | plain: mean / max, degrees | nearest: mean / max | bound | time to encode";
     markdown_table(titles, rows)
+}
+
+/// The table of errors of formats of rotations.
+pub fn of_rotations() -> String {
+    let errors = measured();
+    let rows = rotation_formats().map(|format| {
+        let [a, b, c, d] = errors[&format.to_string()].map(degrees);
+        let bound = degrees(format.max_error_deg().into());
+        format!("`{format}` | {} | {} | {a} / {b} | {c} / {d} | {bound}", format.bits(), format.bytes())
+    });
+    markdown_table("format | bits | bytes | plain: mean / max, degrees | nearest: mean / max | bound", rows)
+}
+
+/// The table of the layouts and sources of formats of rotations.
+pub fn sources_of_rotations() -> String {
+    let rows = ROTATIONS
+        .iter()
+        .map(|row| format!("`{}` | {} | {} | {}", row.name, row.layout, row.zero, row.source));
+    markdown_table(
+        "format | layout, low bits first | the original's answer to a quaternion of length 0 | source",
+        rows,
+    )
 }
 
 /// The table of layouts and sources.

@@ -52,6 +52,8 @@ pub fn table(name: &str) -> Option<String> {
         "interop-outside" => interop::outside(),
         "interop-tools" => interop::tools(),
         "interop-frames" => interop::of_tangents(),
+        "interop-rotations" => interop::of_rotations(),
+        "interop-rotation-sources" => interop::sources_of_rotations(),
         "devices" => devices::table(),
         "drivers" => drivers::table(),
         "imprecise" => imprecise::table(rest),
