@@ -215,7 +215,7 @@ where
     /// the choice of the point and the arithmetic as millions of directions near the largest add, and half as much again.
     /// At 16 bits, the greatest error on the edges, which a face's own points have to reach, found in the same way.
     const MAX_ERROR_DEG: f32 = match BITS {
-        16 => 0.556,
+        16 => 0.559,
         24 => 0.03351,
         32 => 0.002_102_5,
         _ => panic!("no constants for this width"),
