@@ -199,9 +199,9 @@ pub struct HexCube<const BITS: u32>;
 
 impl<const BITS: u32> HexCube<BITS> {
     const LATTICE: Lattice = match BITS {
-        16 => Lattice { columns: 96, rows: 56, across: 96.125, along: 56.53125 },
-        24 => Lattice { columns: 1548, rows: 902, across: 1548.03125, along: 902.40625 },
-        32 => Lattice { columns: 24778, rows: 14444, across: 24778.03125, along: 14444.40625 },
+        16 => Lattice { columns: 96, rows: 56, across: 96.0 + 0.125, along: 56.0 + 0.53125 },
+        24 => Lattice { columns: 1548, rows: 902, across: 1548.0 + 0.03125, along: 902.0 + 0.40625 },
+        32 => Lattice { columns: 24778, rows: 14444, across: 24778.0 + 0.03125, along: 14444.0 + 0.40625 },
         _ => panic!("no constants for this width"),
     };
 }
@@ -215,7 +215,7 @@ where
     /// the choice of the point and the arithmetic as millions of directions near the largest add, and half as much again.
     /// At 16 bits, the greatest error on the edges, which a face's own points have to reach, found in the same way.
     const MAX_ERROR_DEG: f32 = match BITS {
-        16 => 0.556,
+        16 => 0.559,
         24 => 0.03351,
         32 => 0.002_102_5,
         _ => panic!("no constants for this width"),
