@@ -960,6 +960,54 @@ mod fib32 {
     }
 }
 
+mod hexcube16 {
+    use crate::single::{Vec3, decode, encode};
+
+    /// The code of a vector by hexcube16: 16 bits, at most 0.559 degrees off.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_hexcube16_encode(vector: Vec3) -> u32 {
+        encode::<unitvec::HexCube16>(vector) as u32
+    }
+
+    /// The vector of a code of hexcube16. Higher bits are ignored.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_hexcube16_decode(code: u32) -> Vec3 {
+        decode::<unitvec::HexCube16>(code.into())
+    }
+}
+
+mod hexcube24 {
+    use crate::single::{Vec3, decode, encode};
+
+    /// The code of a vector by hexcube24: 24 bits, at most 0.03351 degrees off.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_hexcube24_encode(vector: Vec3) -> u32 {
+        encode::<unitvec::HexCube24>(vector) as u32
+    }
+
+    /// The vector of a code of hexcube24. Higher bits are ignored.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_hexcube24_decode(code: u32) -> Vec3 {
+        decode::<unitvec::HexCube24>(code.into())
+    }
+}
+
+mod hexcube32 {
+    use crate::single::{Vec3, decode, encode};
+
+    /// The code of a vector by hexcube32: 32 bits, at most 0.0021025 degrees off.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_hexcube32_encode(vector: Vec3) -> u32 {
+        encode::<unitvec::HexCube32>(vector) as u32
+    }
+
+    /// The vector of a code of hexcube32. Higher bits are ignored.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_hexcube32_decode(code: u32) -> Vec3 {
+        decode::<unitvec::HexCube32>(code.into())
+    }
+}
+
 mod ico16 {
     use crate::single::{Vec3, decode, encode};
 

@@ -127,7 +127,7 @@ macro_rules! recommended {
 }
 
 /// The recommended codecs by use.
-pub const RECOMMENDED: [Recommendation; 8] = recommended! {
+pub const RECOMMENDED: [Recommendation; 9] = recommended! {
     "encoded often: G-buffers", Attachment, 3 {
         "oct32" "R16G16_SNORM" "R32_UINT", USUAL;
         "oct24" "R32_UINT" "R32_UINT", EIGHT_LEFT;
@@ -150,6 +150,11 @@ pub const RECOMMENDED: [Recommendation; 8] = recommended! {
         "ico16" "R16_UINT" "R16_UINT", "in 2 bytes";
         "ico24" "R32_UINT" "R32_UINT", "in 3 bytes";
         "ico32" "R32_UINT" "R32_UINT", "in 4 bytes";
+    }
+    "near the least error, at half of ico's cost", Attachment, 2 {
+        "hexcube32" "R32_UINT" "R32_UINT", "in 4 bytes";
+        "hexcube24" "R32_UINT" "R32_UINT", "in 3 bytes";
+        "hexcube16" "R16_UINT" "R16_UINT", "in 2 bytes";
     }
     "very few bits", Texture, 1 {
         "oct8p" "R8_UINT" "R8_UINT", "in 1 byte";

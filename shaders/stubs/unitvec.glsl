@@ -135,6 +135,12 @@ uint unitvec_fib24_encode(const vec3 v) { return uint(unitvec_stubs_0_1_0(v.x));
 vec3 unitvec_fib24_decode(const uint code) { return vec3(unitvec_stubs_0_1_0(float(code))); }
 uint unitvec_fib32_encode(const vec3 v) { return uint(unitvec_stubs_0_1_0(v.x)); }
 vec3 unitvec_fib32_decode(const uint code) { return vec3(unitvec_stubs_0_1_0(float(code))); }
+uint unitvec_hexcube16_encode(const vec3 v) { return uint(unitvec_stubs_0_1_0(v.x)); }
+vec3 unitvec_hexcube16_decode(const uint code) { return vec3(unitvec_stubs_0_1_0(float(code))); }
+uint unitvec_hexcube24_encode(const vec3 v) { return uint(unitvec_stubs_0_1_0(v.x)); }
+vec3 unitvec_hexcube24_decode(const uint code) { return vec3(unitvec_stubs_0_1_0(float(code))); }
+uint unitvec_hexcube32_encode(const vec3 v) { return uint(unitvec_stubs_0_1_0(v.x)); }
+vec3 unitvec_hexcube32_decode(const uint code) { return vec3(unitvec_stubs_0_1_0(float(code))); }
 uint unitvec_ico16_encode(const vec3 v) { return uint(unitvec_stubs_0_1_0(v.x)); }
 vec3 unitvec_ico16_decode(const uint code) { return vec3(unitvec_stubs_0_1_0(float(code))); }
 uint unitvec_ico24_encode(const vec3 v) { return uint(unitvec_stubs_0_1_0(v.x)); }
@@ -295,5 +301,13 @@ uint unitvec_frame32_encode(const vec3 normal, const vec4 tangent) { return uint
 UnitvecFrame unitvec_frame32_decode(const uint code) { return UnitvecFrame(vec3(unitvec_stubs_0_1_0(float(code))), vec4(unitvec_stubs_0_1_0(float(code)))); }
 uvec2 unitvec_frame64_encode(const vec3 normal, const vec4 tangent) { return uvec2(unitvec_stubs_0_1_0(normal.x + tangent.x)); }
 UnitvecFrame unitvec_frame64_decode(const uvec2 code) { return UnitvecFrame(vec3(unitvec_stubs_0_1_0(float(code.x))), vec4(unitvec_stubs_0_1_0(float(code.x)))); }
+uint unitvec_quat24_encode(const vec4 q) { return uint(unitvec_stubs_0_1_0(q.x)); }
+vec4 unitvec_quat24_decode(const uint code) { return vec4(unitvec_stubs_0_1_0(float(code))); }
+uint unitvec_quat32_encode(const vec4 q) { return uint(unitvec_stubs_0_1_0(q.x)); }
+vec4 unitvec_quat32_decode(const uint code) { return vec4(unitvec_stubs_0_1_0(float(code))); }
+uvec2 unitvec_quat48_encode(const vec4 q) { return uvec2(unitvec_stubs_0_1_0(q.x)); }
+vec4 unitvec_quat48_decode(const uvec2 code) { return vec4(unitvec_stubs_0_1_0(float(code.x))); }
+uvec2 unitvec_quat64_encode(const vec4 q) { return uvec2(unitvec_stubs_0_1_0(q.x)); }
+vec4 unitvec_quat64_decode(const uvec2 code) { return vec4(unitvec_stubs_0_1_0(float(code.x))); }
 
 #endif

@@ -142,6 +142,12 @@ uint unitvec_fib24_encode(float3 v) { return (uint)unitvec_stubs_0_1_0(v.x); }
 float3 unitvec_fib24_decode(uint code) { return (float3)unitvec_stubs_0_1_0(float(code)); }
 uint unitvec_fib32_encode(float3 v) { return (uint)unitvec_stubs_0_1_0(v.x); }
 float3 unitvec_fib32_decode(uint code) { return (float3)unitvec_stubs_0_1_0(float(code)); }
+uint unitvec_hexcube16_encode(float3 v) { return (uint)unitvec_stubs_0_1_0(v.x); }
+float3 unitvec_hexcube16_decode(uint code) { return (float3)unitvec_stubs_0_1_0(float(code)); }
+uint unitvec_hexcube24_encode(float3 v) { return (uint)unitvec_stubs_0_1_0(v.x); }
+float3 unitvec_hexcube24_decode(uint code) { return (float3)unitvec_stubs_0_1_0(float(code)); }
+uint unitvec_hexcube32_encode(float3 v) { return (uint)unitvec_stubs_0_1_0(v.x); }
+float3 unitvec_hexcube32_decode(uint code) { return (float3)unitvec_stubs_0_1_0(float(code)); }
 uint unitvec_ico16_encode(float3 v) { return (uint)unitvec_stubs_0_1_0(v.x); }
 float3 unitvec_ico16_decode(uint code) { return (float3)unitvec_stubs_0_1_0(float(code)); }
 uint unitvec_ico24_encode(float3 v) { return (uint)unitvec_stubs_0_1_0(v.x); }
@@ -302,5 +308,13 @@ uint unitvec_frame32_encode(float3 normal, float4 tangent) { return (uint)unitve
 UnitvecFrame unitvec_frame32_decode(uint code) { return unitvec_stub_frame(unitvec_stubs_0_1_0(float(code))); }
 uint2 unitvec_frame64_encode(float3 normal, float4 tangent) { return (uint2)unitvec_stubs_0_1_0(normal.x + tangent.x); }
 UnitvecFrame unitvec_frame64_decode(uint2 code) { return unitvec_stub_frame(unitvec_stubs_0_1_0(float(code.x))); }
+uint unitvec_quat24_encode(float4 q) { return (uint)unitvec_stubs_0_1_0(q.x); }
+float4 unitvec_quat24_decode(uint code) { return (float4)unitvec_stubs_0_1_0(float(code)); }
+uint unitvec_quat32_encode(float4 q) { return (uint)unitvec_stubs_0_1_0(q.x); }
+float4 unitvec_quat32_decode(uint code) { return (float4)unitvec_stubs_0_1_0(float(code)); }
+uint2 unitvec_quat48_encode(float4 q) { return (uint2)unitvec_stubs_0_1_0(q.x); }
+float4 unitvec_quat48_decode(uint2 code) { return (float4)unitvec_stubs_0_1_0(float(code.x)); }
+uint2 unitvec_quat64_encode(float4 q) { return (uint2)unitvec_stubs_0_1_0(q.x); }
+float4 unitvec_quat64_decode(uint2 code) { return (float4)unitvec_stubs_0_1_0(float(code.x)); }
 
 #endif

@@ -245,13 +245,17 @@ fn text(error: impl std::fmt::Display) -> String {
     error.to_string()
 }
 
-/// Normals and frames, read and turned round. The number is that of the normals.
+/// Normals, frames and rotations, read; the normals turned round. The number is that of the normals.
 fn read_mesh(path: &Path, input: &[u8]) -> Result<usize, String> {
     let Some(format) = FileFormat::of(path, input) else {
         return Err(format!("{} lost its format", path.display()));
     };
     if let Err(error) = mesh::parse_frames(path, format, input, Reach::Folder) {
         check_message(&error.to_string(), path)?;
+    }
+    match mesh::parse_rotations(path, format, input, Reach::Folder) {
+        Ok(read) => assert!(read.parts.iter().all(|part| part.first + part.count <= read.rotations.len())),
+        Err(error) => check_message(&error.to_string(), path)?,
     }
     let mut turn = |_, _, vectors: &mut [[f32; 3]]| vectors.iter_mut().for_each(|v| *v = v.map(|c| -c));
     let edited = edit(path, format, input, Reach::Folder, Change::Vectors(&mut turn));

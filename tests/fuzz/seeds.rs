@@ -145,6 +145,8 @@ fn document(primitives: &str, uri: &str) -> String {
     };
     format!(
         r#"{{"asset":{{"version":"2.0"}},"extensionsUsed":["KHR_mesh_quantization"],"scene":0,"nodes":[{{"mesh":0}}],
+        "animations":[{{"name":"a","samplers":[{{"input":2,"output":3,"interpolation":"CUBICSPLINE"}}],
+        "channels":[{{"sampler":0,"target":{{"node":0,"path":"rotation"}}}}]}}],
         "meshes":[{{"name":"grid","primitives":[{primitives}]}}],"buffers":[{{"byteLength":{end}{uri}}}],
         "bufferViews":[{views}],"accessors":[
         {{"bufferView":0,"componentType":5123,"count":{corners},"type":"SCALAR"}},{},{},{},

@@ -64,9 +64,8 @@ pub fn measure_frame(
 /// rotations of 1,803,818 splats: mean and maximum (nianticlabs/spz, pull request 41).
 const PUBLISHED_ROTATION: (f64, f64) = (0.0824, 0.2564);
 
-/// Mean and maximum error in degrees of rotation that no code of `bits` bits for rotations can beat.
-///
-/// In flat space the best covering known is the body-centred cubic lattice (Bambah 1954: of lattices the best). Rotations are
+/// The least mean and maximum error known of as many rotations as `bits` bits have codes, in degrees of rotation, as if their space
+/// were flat: those of the body-centred cubic lattice, of which no lattice has a lower maximum (Bambah 1954). Rotations are
 /// half of the sphere of unit quaternions, of volume pi^2, and turn by twice the angle between quaternions. A cell of volume V
 /// reaches sqrt(5) / 4 (2 V)^(1/3); its points are 0.46913 V^(1/3) from its middle on average, which a numerical integral gives.
 pub fn rotation_bound_deg(bits: u32) -> (f64, f64) {

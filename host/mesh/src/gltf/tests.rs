@@ -212,6 +212,40 @@ fn frames() {
     }
 }
 
+/// Rotations come back bit for bit, those of an accessor once, of a cubic spline the middle of each key; a file that has none, or
+/// whose samplers name other values, is refused.
+#[test]
+fn rotations() {
+    let read = |document: &str| {
+        parse_rotations(Path::new("a.glb"), &glb(document, Some(&cube_buffer())), Reach::Folder)
+    };
+    let with = |samplers: &str, channels: &str| {
+        let animation =
+            format!(r#""animations":[{{"samplers":[{samplers}],"channels":[{channels}]}}],"asset""#);
+        json(WITH_TANGENTS, "").replacen(r#""asset""#, &animation, 1)
+    };
+    let turning = r#"{"sampler":0,"target":{"path":"rotation"}}"#;
+    let linear = r#"{"input":0,"output":3}"#;
+    let twice = format!("{turning},{}", turning.replace(":0,", ":1,"));
+    let Rotations { rotations, parts } = read(&with(&format!("{linear},{linear}"), &twice)).unwrap();
+    assert_eq!(rotations, tangents());
+    assert_eq!(
+        parts.iter().map(|p| (p.primitive, p.first, p.count)).collect::<Vec<_>>(),
+        [(0, 0, 8), (1, 0, 8)]
+    );
+    let cubic = read(&with(r#"{"input":0,"output":3,"interpolation":"CUBICSPLINE"}"#, turning)).unwrap();
+    assert_eq!(cubic.rotations, [tangents()[1], tangents()[4], tangents()[7]]);
+    for none in
+        [json(WITH_TANGENTS, ""), with(linear, &turning.replace("rotation", "scale")), with("", turning)]
+    {
+        assert!(matches!(read(&none), Err(MeshError::NoRotations { .. })), "{none}");
+    }
+    for output in ["1", "9"] {
+        let result = read(&with(&linear.replace('3', output), turning));
+        assert!(matches!(result, Err(MeshError::Parse { .. })), "{output}: {result:?}");
+    }
+}
+
 /// A primitive with fewer positions than normals, or more, is refused, also where another one has read the normals.
 #[test]
 fn counts_must_agree() {
