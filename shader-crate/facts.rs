@@ -60,6 +60,9 @@ macro_rules! facts {
     (fib16) => { "16 bits in 2 bytes, direction at most 0.611° off" };
     (fib24) => { "24 bits in 3 bytes, direction at most 0.0382° off" };
     (fib32) => { "32 bits in 4 bytes, direction at most 0.00241° off" };
+    (hexcube16) => { "16 bits in 2 bytes, direction at most 0.559° off" };
+    (hexcube24) => { "24 bits in 3 bytes, direction at most 0.0335° off" };
+    (hexcube32) => { "32 bits in 4 bytes, direction at most 0.00210° off" };
     (ico16) => { "16 bits in 2 bytes, direction at most 0.509° off" };
     (ico24) => { "24 bits in 3 bytes, direction at most 0.0312° off" };
     (ico32) => { "32 bits in 4 bytes, direction at most 0.00196° off" };
@@ -138,11 +141,11 @@ macro_rules! facts {
     (spp24) => { "24 bits in 3 bytes, direction at most 0.0770° off" };
     (spp32) => { "32 bits in 4 bytes, direction at most 0.00480° off" };
     (spp48) => { "48 bits in 6 bytes, direction at most 8.00e-5° off" };
+    (frame32) => { "32 bits in 4 bytes, normal at most 0.0792° off, tangent at most 0.363° off; VK_FORMAT_R32_UINT" };
+    (frame64) => { "64 bits in 8 bytes, normal at most 8.41e-5° off, tangent at most 1.30e-4° off; VK_FORMAT_R32G32_UINT" };
     (quat24) => { "24 bits in 3 bytes, rotation at most 0.770° off" };
     (quat32) => { "32 bits in 4 bytes, rotation at most 0.119° off; VK_FORMAT_R32_UINT" };
     (quat48) => { "48 bits in 6 bytes, rotation at most 0.00296° off" };
     (quat64) => { "64 bits in 8 bytes, rotation at most 8.80e-5° off; VK_FORMAT_R32G32_UINT" };
-    (frame32) => { "32 bits in 4 bytes, normal at most 0.0792° off, tangent at most 0.363° off; VK_FORMAT_R32_UINT" };
-    (frame64) => { "64 bits in 8 bytes, normal at most 8.41e-5° off, tangent at most 1.30e-4° off; VK_FORMAT_R32G32_UINT" };
     ($new:ident) => { "a new codec" };
 }

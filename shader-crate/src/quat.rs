@@ -15,6 +15,12 @@
 //! a body-centred lattice is too: the lattice goes on from chart to chart.
 //!
 //! <!-- generated: errors quat -->
+//! | degrees | mean | max | bound |
+//! |---|---|---|---|
+//! | `quat24`, rotation | 0.465 | 0.753 | 0.770 |
+//! | `quat32`, rotation | 0.0723 | 0.117 | 0.119 |
+//! | `quat48`, rotation | 0.00179 | 0.00290 | 0.00296 |
+//! | `quat64`, rotation | 4.48e-5 | 7.99e-5 | 8.80e-5 |
 //! <!-- end -->
 //!
 //! Errors are angles of rotation, twice those between quaternions. To compare them with: the body-centred lattice in flat
