@@ -129,6 +129,9 @@ fn no_crate_is_too_large() {
 const RULE: &str = "GPUs round quotients and roots badly: call quotient, signed_quotient, over, reciprocal, root or inverse_root \
     (in GLSL with unitvec_ before), and ratio for constants of Rust. `/` is for integers over a literal and for two literals";
 
+/// Divisors that are integers, and constants where they are used: the numbers of codes in a part of a lattice.
+const INTEGERS: [&str; 3] = ["lattice.face", "lattice.line", "radix"];
+
 /// The functions of GLSL that divide: those of the rule, of which some are only parts, quotients of snorms, which the exact
 /// edition multiplies, and one of integers.
 const DIVIDING: &str = "unitvec_quotient unitvec_signed_quotient unitvec_over unitvec_reciprocal unitvec_root \
@@ -143,7 +146,7 @@ fn divides(line: &str) -> bool {
         let (left, right) = (line[..at].trim_end(), line[at + 1..].trim_start());
         let left = &left[left.rfind(|c| !is_part(c)).map_or(0, |before| before + 1)..];
         let right = &right[..right.find(|c| !is_part(c)).unwrap_or(right.len())];
-        !(is_literal(right) && (is_literal(left) || !right.contains('.')))
+        !(INTEGERS.contains(&right) || is_literal(right) && (is_literal(left) || !right.contains('.')))
     });
     has_quotient || line.contains("sqrt(") || line.contains(".recip()")
 }
@@ -151,11 +154,22 @@ fn divides(line: &str) -> bool {
 #[test]
 fn floats_are_divided_in_one_place() {
     let sources = repository().join("shader-crate/src");
-    let own =
-        ["divide.rs", "exact.rs", "elementary.rs", "bare.rs"].map(|file| sources.join("arith").join(file));
+    // The last two compute in float64, on the CPU alone.
+    let own = [
+        "arith/divide.rs",
+        "arith/exact.rs",
+        "arith/elementary.rs",
+        "arith/bare.rs",
+        "wrap/morton.rs",
+        "wrap/smallest.rs",
+    ]
+    .map(|file| sources.join(file));
     let folders =
         ["arith", "dither", "families", "wrap"].map(|folder| files(&sources.join(folder), &[".rs"]));
-    let rust = folders.into_iter().flatten().chain(["frame.rs", "formats.rs"].map(|file| sources.join(file)));
+    let rust = folders
+        .into_iter()
+        .flatten()
+        .chain(["frame.rs", "quat.rs", "formats.rs"].map(|file| sources.join(file)));
     let glsl = files(&repository().join("glsl/unitvec"), &[".glsl"]);
     let mut found = Vec::new();
     for file in rust.filter(|file| !own.contains(file)).chain(glsl) {

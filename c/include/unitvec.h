@@ -571,13 +571,13 @@ uint32_t unitvec_hexcube16_encode(struct unitvec_vec3 vector);
 /// The vector of a code of hexcube16. Higher bits are ignored.
 struct unitvec_vec3 unitvec_hexcube16_decode(uint32_t code);
 
-/// The code of a vector by hexcube24: 24 bits, at most 0.03351 degrees off.
+/// The code of a vector by hexcube24: 24 bits, at most 0.0337 degrees off.
 uint32_t unitvec_hexcube24_encode(struct unitvec_vec3 vector);
 
 /// The vector of a code of hexcube24. Higher bits are ignored.
 struct unitvec_vec3 unitvec_hexcube24_decode(uint32_t code);
 
-/// The code of a vector by hexcube32: 32 bits, at most 0.0021025 degrees off.
+/// The code of a vector by hexcube32: 32 bits, at most 0.00211 degrees off.
 uint32_t unitvec_hexcube32_encode(struct unitvec_vec3 vector);
 
 /// The vector of a code of hexcube32. Higher bits are ignored.

@@ -979,7 +979,7 @@ mod hexcube16 {
 mod hexcube24 {
     use crate::single::{Vec3, decode, encode};
 
-    /// The code of a vector by hexcube24: 24 bits, at most 0.03351 degrees off.
+    /// The code of a vector by hexcube24: 24 bits, at most 0.0337 degrees off.
     #[unsafe(no_mangle)]
     pub extern "C" fn unitvec_hexcube24_encode(vector: Vec3) -> u32 {
         encode::<unitvec::HexCube24>(vector) as u32
@@ -995,7 +995,7 @@ mod hexcube24 {
 mod hexcube32 {
     use crate::single::{Vec3, decode, encode};
 
-    /// The code of a vector by hexcube32: 32 bits, at most 0.0021025 degrees off.
+    /// The code of a vector by hexcube32: 32 bits, at most 0.00211 degrees off.
     #[unsafe(no_mangle)]
     pub extern "C" fn unitvec_hexcube32_encode(vector: Vec3) -> u32 {
         encode::<unitvec::HexCube32>(vector) as u32

@@ -118,16 +118,20 @@ uvec4 unitvec_quat_nearest(vec3 x, uint bits) {
     vec3 place = u * steps;
     vec3 rounded = place + 0.5;
     vec3 corner = floor(rounded);
-    vec3 cell = clamp(floor(place), -steps, steps - 1.0);
-    vec3 beyond = clamp(corner + corner - 1.0 - cell, -steps, steps - 1.0);
+    float last = steps - 1.0;
+    vec3 cell = clamp(floor(place), -steps, last);
+    vec3 mirrored = ((corner + corner) - 1.0) - cell;
+    vec3 beyond = clamp(mirrored, -steps, last);
 
     vec3 d = abs(place - corner);
     bool is_x = d.x < d.y && d.x < d.z;
     bool is_y = !is_x && d.y < d.z;
     vec3 next = vec3(is_x ? beyond.x : cell.x, is_y ? beyond.y : cell.y, is_x || is_y ? cell.z : beyond.z);
 
-    float to_cell = unitvec_quat_square(x, cell + 0.5, bits);
-    float to_next = unitvec_quat_square(x, next + 0.5, bits);
+    vec3 middle = cell + 0.5;
+    vec3 next_middle = next + 0.5;
+    float to_cell = unitvec_quat_square(x, middle, bits);
+    float to_next = unitvec_quat_square(x, next_middle, bits);
     if (to_next < to_cell) {
         cell = next;
         to_cell = to_next;
@@ -181,7 +185,8 @@ float unitvec_quat_steps(uvec2 code, uint above, uint at, float middle, uint bit
     uint whole = ((above % unitvec_quat_layout(bits).y) << low) | unitvec_quat_field(code, at, low);
     float half_steps = unitvec_quat_half_steps(bits).x;
     float from_middle = (float(whole) - half_steps) + middle;
-    return min(from_middle, half_steps - middle);
+    float last = half_steps - middle;
+    return min(from_middle, last);
 }
 
 vec4 unitvec_quat_decode(uvec2 code, uint bits) {

@@ -115,22 +115,26 @@ uint4 unitvec_quat_nearest(float3 x, uint bits) {
     precise float3 place = u * steps;
     precise float3 rounded = place + 0.5;
     float3 corner = floor(rounded);
-    float3 cell = clamp(floor(place), -steps, steps - 1.0);
-    float3 beyond = clamp(corner + corner - 1.0 - cell, -steps, steps - 1.0);
+    precise float last = steps - 1.0;
+    float3 cell = clamp(floor(place), -steps, last);
+    precise float3 mirrored = ((corner + corner) - 1.0) - cell;
+    float3 beyond = clamp(mirrored, -steps, last);
 
     precise float3 d = abs(place - corner);
     bool is_x = d.x < d.y && d.x < d.z;
     bool is_y = !is_x && d.y < d.z;
     float3 next = float3(is_x ? beyond.x : cell.x, is_y ? beyond.y : cell.y, is_x || is_y ? cell.z : beyond.z);
 
-    float to_cell = unitvec_quat_square(x, cell + 0.5, bits);
-    float to_next = unitvec_quat_square(x, next + 0.5, bits);
+    precise float3 middle = cell + 0.5;
+    precise float3 next_middle = next + 0.5;
+    float to_cell = unitvec_quat_square(x, middle, bits);
+    float to_next = unitvec_quat_square(x, next_middle, bits);
     if (to_next < to_cell) {
         cell = next;
         to_cell = to_next;
     }
     bool is_cell = to_cell < unitvec_quat_square(x, corner, bits);
-    float3 whole = (is_cell ? cell : corner) + steps;
+    precise float3 whole = (is_cell ? cell : corner) + steps;
     return uint4(unitvec_whole_to_u32(whole.x), unitvec_whole_to_u32(whole.y), unitvec_whole_to_u32(whole.z),
         is_cell ? 1u : 0u);
 }
@@ -178,7 +182,8 @@ float unitvec_quat_steps(uint2 code, uint above, uint at, float middle, uint bit
     uint whole = ((above % unitvec_quat_layout(bits).y) << low) | unitvec_quat_field(code, at, low);
     float half_steps = unitvec_quat_half_steps(bits).x;
     precise float from_middle = (float(whole) - half_steps) + middle;
-    return min(from_middle, half_steps - middle);
+    precise float last = half_steps - middle;
+    return min(from_middle, last);
 }
 
 float4 unitvec_quat_decode(uint2 code, uint bits) {

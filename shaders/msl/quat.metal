@@ -115,16 +115,20 @@ inline uint4 unitvec_quat_nearest(float3 x, uint bits) {
     float3 place = u * steps;
     float3 rounded = place + 0.5f;
     float3 corner = floor(rounded);
-    float3 cell = clamp(floor(place), float3(-steps), float3(steps - 1.0f));
-    float3 beyond = clamp(corner + corner - 1.0f - cell, float3(-steps), float3(steps - 1.0f));
+    float last = steps - 1.0f;
+    float3 cell = clamp(floor(place), float3(-steps), float3(last));
+    float3 mirrored = ((corner + corner) - 1.0f) - cell;
+    float3 beyond = clamp(mirrored, float3(-steps), float3(last));
 
     float3 d = abs(place - corner);
     bool is_x = d.x < d.y && d.x < d.z;
     bool is_y = !is_x && d.y < d.z;
     float3 next = float3(is_x ? beyond.x : cell.x, is_y ? beyond.y : cell.y, is_x || is_y ? cell.z : beyond.z);
 
-    float to_cell = unitvec_quat_square(x, cell + 0.5f, bits);
-    float to_next = unitvec_quat_square(x, next + 0.5f, bits);
+    float3 middle = cell + 0.5f;
+    float3 next_middle = next + 0.5f;
+    float to_cell = unitvec_quat_square(x, middle, bits);
+    float to_next = unitvec_quat_square(x, next_middle, bits);
     if (to_next < to_cell) {
         cell = next;
         to_cell = to_next;
@@ -178,7 +182,8 @@ inline float unitvec_quat_steps(uint2 code, uint above, uint at, float middle, u
     uint whole = ((above % unitvec_quat_layout(bits).y) << low) | unitvec_quat_field(code, at, low);
     float half_steps = unitvec_quat_half_steps(bits).x;
     float from_middle = (float(whole) - half_steps) + middle;
-    return min(from_middle, half_steps - middle);
+    float last = half_steps - middle;
+    return min(from_middle, last);
 }
 
 inline float4 unitvec_quat_decode(uint2 code, uint bits) {

@@ -112,8 +112,10 @@ fn unitvec_quat_nearest(x: vec3f, bits: u32) -> vec4u {
     let place = u * steps;
     let rounded = place + 0.5;
     let corner = floor(rounded);
-    var cell = clamp(floor(place), vec3f(-steps), vec3f(steps - 1.0));
-    let beyond = clamp(corner + corner - 1.0 - cell, vec3f(-steps), vec3f(steps - 1.0));
+    let last = steps - 1.0;
+    var cell = clamp(floor(place), vec3f(-steps), vec3f(last));
+    let mirrored = ((corner + corner) - 1.0) - cell;
+    let beyond = clamp(mirrored, vec3f(-steps), vec3f(last));
 
     let d = abs(place - corner);
     let is_x = d.x < d.y && d.x < d.z;
@@ -121,8 +123,10 @@ fn unitvec_quat_nearest(x: vec3f, bits: u32) -> vec4u {
     let next =
         vec3f(select(cell.x, beyond.x, is_x), select(cell.y, beyond.y, is_y), select(beyond.z, cell.z, is_x || is_y));
 
-    var to_cell = unitvec_quat_square(x, cell + 0.5, bits);
-    let to_next = unitvec_quat_square(x, next + 0.5, bits);
+    let middle = cell + 0.5;
+    let next_middle = next + 0.5;
+    var to_cell = unitvec_quat_square(x, middle, bits);
+    let to_next = unitvec_quat_square(x, next_middle, bits);
     if to_next < to_cell {
         cell = next;
         to_cell = to_next;
@@ -177,7 +181,8 @@ fn unitvec_quat_steps(code: vec2u, above: u32, at: u32, middle: f32, bits: u32) 
     let whole = ((above % unitvec_quat_layout(bits).y) << low) | unitvec_quat_field(code, at, low);
     let half_steps = unitvec_quat_half_steps(bits).x;
     let from_middle = (f32(whole) - half_steps) + middle;
-    return min(from_middle, half_steps - middle);
+    let last = half_steps - middle;
+    return min(from_middle, last);
 }
 
 fn unitvec_quat_decode(code: vec2u, bits: u32) -> vec4f {

@@ -113,6 +113,8 @@ fn glsl_constants_are_the_crates() {
         ("TURN", &TURN),
         ("DIAGONAL_COS", &DIAGONAL_COS),
         ("DIAGONAL_SIN", &DIAGONAL_SIN),
+        ("WARP", &[arith::WARP_0, arith::WARP_1, arith::WARP_2]),
+        ("UNWARP", &[arith::UNWARP_0, arith::UNWARP_1, arith::UNWARP_2]),
     ];
     let mut constants: Vec<(String, f32)> =
         families.iter().flat_map(|(name, values)| numbered(name, values)).collect();

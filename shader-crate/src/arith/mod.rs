@@ -32,6 +32,7 @@ mod trig;
 mod two_float;
 mod vector;
 
+pub use diamond::{UNWARP_0, UNWARP_1, UNWARP_2, WARP_0, WARP_1, WARP_2};
 pub(crate) use diamond::{diamond_code, diamond_error, diamond_point};
 pub use divide::{inverse_root, over, quotient, ratio, reciprocal, root, signed_quotient};
 pub(crate) use divide::{inverse_root_near, snorm_quotient};

@@ -126,22 +126,26 @@ uvec4 unitvec_quat_nearest(vec3 x, uint bits) {
     vec3 place = min(u * steps, UNITVEC_HUGE);
     vec3 rounded = min(place + 0.5, UNITVEC_HUGE);
     vec3 corner = floor(rounded);
-    vec3 cell = clamp(floor(place), -steps, steps - 1.0);
-    vec3 beyond = clamp(corner + corner - 1.0 - cell, -steps, steps - 1.0);
+    float last = min(steps - 1.0, UNITVEC_HUGE);
+    vec3 cell = clamp(floor(place), -steps, last);
+    vec3 mirrored = min(min(min(corner + corner, UNITVEC_HUGE) - 1.0, UNITVEC_HUGE) - cell, UNITVEC_HUGE);
+    vec3 beyond = clamp(mirrored, -steps, last);
 
     vec3 d = abs(min(place - corner, UNITVEC_HUGE));
     bool is_x = d.x < d.y && d.x < d.z;
     bool is_y = !is_x && d.y < d.z;
     vec3 next = vec3(is_x ? beyond.x : cell.x, is_y ? beyond.y : cell.y, is_x || is_y ? cell.z : beyond.z);
 
-    float to_cell = unitvec_quat_square(x, cell + 0.5, bits);
-    float to_next = unitvec_quat_square(x, next + 0.5, bits);
+    vec3 middle = min(cell + 0.5, UNITVEC_HUGE);
+    vec3 next_middle = min(next + 0.5, UNITVEC_HUGE);
+    float to_cell = unitvec_quat_square(x, middle, bits);
+    float to_next = unitvec_quat_square(x, next_middle, bits);
     if (to_next < to_cell) {
         cell = next;
         to_cell = to_next;
     }
     bool is_cell = to_cell < unitvec_quat_square(x, corner, bits);
-    vec3 whole = (is_cell ? cell : corner) + steps;
+    vec3 whole = min((is_cell ? cell : corner) + steps, UNITVEC_HUGE);
     return uvec4(unitvec_whole_to_u32(whole.x), unitvec_whole_to_u32(whole.y), unitvec_whole_to_u32(whole.z),
         is_cell ? 1u : 0u);
 }
@@ -189,7 +193,8 @@ float unitvec_quat_steps(uvec2 code, uint above, uint at, float middle, uint bit
     uint whole = ((above % unitvec_quat_layout(bits).y) << low) | unitvec_quat_field(code, at, low);
     float half_steps = unitvec_quat_half_steps(bits).x;
     float from_middle = min(min(float(whole) - half_steps, UNITVEC_HUGE) + middle, UNITVEC_HUGE);
-    return min(from_middle, half_steps - middle);
+    float last = min(half_steps - middle, UNITVEC_HUGE);
+    return min(from_middle, last);
 }
 
 vec4 unitvec_quat_decode(uvec2 code, uint bits) {

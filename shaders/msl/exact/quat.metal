@@ -123,22 +123,27 @@ inline uint4 unitvec_quat_nearest(float3 x, uint bits) {
     float3 place = min(u * steps, float3(UNITVEC_HUGE));
     float3 rounded = min(place + 0.5f, float3(UNITVEC_HUGE));
     float3 corner = floor(rounded);
-    float3 cell = clamp(floor(place), float3(-steps), float3(steps - 1.0f));
-    float3 beyond = clamp(corner + corner - 1.0f - cell, float3(-steps), float3(steps - 1.0f));
+    float last = min(steps - 1.0f, UNITVEC_HUGE);
+    float3 cell = clamp(floor(place), float3(-steps), float3(last));
+    float3 mirrored =
+        min(min(min(corner + corner, float3(UNITVEC_HUGE)) - 1.0f, float3(UNITVEC_HUGE)) - cell, float3(UNITVEC_HUGE));
+    float3 beyond = clamp(mirrored, float3(-steps), float3(last));
 
     float3 d = abs(min(place - corner, float3(UNITVEC_HUGE)));
     bool is_x = d.x < d.y && d.x < d.z;
     bool is_y = !is_x && d.y < d.z;
     float3 next = float3(is_x ? beyond.x : cell.x, is_y ? beyond.y : cell.y, is_x || is_y ? cell.z : beyond.z);
 
-    float to_cell = unitvec_quat_square(x, cell + 0.5f, bits);
-    float to_next = unitvec_quat_square(x, next + 0.5f, bits);
+    float3 middle = min(cell + 0.5f, float3(UNITVEC_HUGE));
+    float3 next_middle = min(next + 0.5f, float3(UNITVEC_HUGE));
+    float to_cell = unitvec_quat_square(x, middle, bits);
+    float to_next = unitvec_quat_square(x, next_middle, bits);
     if (to_next < to_cell) {
         cell = next;
         to_cell = to_next;
     }
     bool is_cell = to_cell < unitvec_quat_square(x, corner, bits);
-    float3 whole = (is_cell ? cell : corner) + steps;
+    float3 whole = min((is_cell ? cell : corner) + steps, float3(UNITVEC_HUGE));
     return uint4(unitvec_whole_to_u32(whole.x), unitvec_whole_to_u32(whole.y), unitvec_whole_to_u32(whole.z),
         is_cell ? 1u : 0u);
 }
@@ -186,7 +191,8 @@ inline float unitvec_quat_steps(uint2 code, uint above, uint at, float middle, u
     uint whole = ((above % unitvec_quat_layout(bits).y) << low) | unitvec_quat_field(code, at, low);
     float half_steps = unitvec_quat_half_steps(bits).x;
     float from_middle = min(min(float(whole) - half_steps, UNITVEC_HUGE) + middle, UNITVEC_HUGE);
-    return min(from_middle, half_steps - middle);
+    float last = min(half_steps - middle, UNITVEC_HUGE);
+    return min(from_middle, last);
 }
 
 inline float4 unitvec_quat_decode(uint2 code, uint bits) {

@@ -120,8 +120,11 @@ fn unitvec_quat_nearest(x: vec3f, bits: u32) -> vec4u {
     let place = min(u * steps, vec3f(UNITVEC_HUGE));
     let rounded = min(place + 0.5, vec3f(UNITVEC_HUGE));
     let corner = floor(rounded);
-    var cell = clamp(floor(place), vec3f(-steps), vec3f(steps - 1.0));
-    let beyond = clamp(corner + corner - 1.0 - cell, vec3f(-steps), vec3f(steps - 1.0));
+    let last = min(steps - 1.0, UNITVEC_HUGE);
+    var cell = clamp(floor(place), vec3f(-steps), vec3f(last));
+    let mirrored =
+        min(min(min(corner + corner, vec3f(UNITVEC_HUGE)) - 1.0, vec3f(UNITVEC_HUGE)) - cell, vec3f(UNITVEC_HUGE));
+    let beyond = clamp(mirrored, vec3f(-steps), vec3f(last));
 
     let d = abs(min(place - corner, vec3f(UNITVEC_HUGE)));
     let is_x = d.x < d.y && d.x < d.z;
@@ -129,14 +132,16 @@ fn unitvec_quat_nearest(x: vec3f, bits: u32) -> vec4u {
     let next =
         vec3f(select(cell.x, beyond.x, is_x), select(cell.y, beyond.y, is_y), select(beyond.z, cell.z, is_x || is_y));
 
-    var to_cell = unitvec_quat_square(x, cell + 0.5, bits);
-    let to_next = unitvec_quat_square(x, next + 0.5, bits);
+    let middle = min(cell + 0.5, vec3f(UNITVEC_HUGE));
+    let next_middle = min(next + 0.5, vec3f(UNITVEC_HUGE));
+    var to_cell = unitvec_quat_square(x, middle, bits);
+    let to_next = unitvec_quat_square(x, next_middle, bits);
     if to_next < to_cell {
         cell = next;
         to_cell = to_next;
     }
     let is_cell = to_cell < unitvec_quat_square(x, corner, bits);
-    let whole = select(corner, cell, is_cell) + steps;
+    let whole = min(select(corner, cell, is_cell) + steps, vec3f(UNITVEC_HUGE));
     return vec4u(unitvec_whole_to_u32(whole.x), unitvec_whole_to_u32(whole.y), unitvec_whole_to_u32(whole.z),
         select(0u, 1u, is_cell));
 }
@@ -185,7 +190,8 @@ fn unitvec_quat_steps(code: vec2u, above: u32, at: u32, middle: f32, bits: u32) 
     let whole = ((above % unitvec_quat_layout(bits).y) << low) | unitvec_quat_field(code, at, low);
     let half_steps = unitvec_quat_half_steps(bits).x;
     let from_middle = min(min(f32(whole) - half_steps, UNITVEC_HUGE) + middle, UNITVEC_HUGE);
-    return min(from_middle, half_steps - middle);
+    let last = min(half_steps - middle, UNITVEC_HUGE);
+    return min(from_middle, last);
 }
 
 fn unitvec_quat_decode(code: vec2u, bits: u32) -> vec4f {

@@ -2,6 +2,7 @@ use super::table::{self, Layout, left, right};
 use super::{chosen_formats, print};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -133,12 +134,20 @@ fn list(columns: Option<usize>) -> String {
         let functions = Operation::ALL.map(|operation| format.function(operation)).join(", ");
         text += &codecs.line(&[&id, &bits, &functions]);
     }
-    let is_other = |name: &&str| !name.ends_with("_encode") && !name.ends_with("_decode");
-    let mut others: Vec<&str> = functions().filter(is_other).collect();
-    for (group, part) in
-        [("projections", "float32x3"), ("formats", "_to_"), ("nulls", "_or_"), ("dither", "")]
-    {
-        let names: Vec<&str> = others.extract_if(.., |name| name.contains(part)).collect();
+    let of_codecs: HashSet<String> =
+        CODECS.iter().flat_map(|format| Operation::ALL.map(|operation| format.function(operation))).collect();
+    let mut others: Vec<&str> = functions().filter(|name| !of_codecs.contains(*name)).collect();
+    const WRAPPERS: &[&str] = &["axial", "angle", "vector32", "vector48", "length", "reach", "cap", "dense"];
+    let groups: [(&str, &[&str]); 5] = [
+        ("wrappers", WRAPPERS),
+        ("projections", &["float32x3"]),
+        ("formats", &["_to_"]),
+        ("nulls", &["_or_"]),
+        ("dither", &[""]),
+    ];
+    for (group, parts) in groups {
+        let is_of_group = |name: &mut &str| parts.iter().any(|part| name.contains(part));
+        let names: Vec<&str> = others.extract_if(.., is_of_group).collect();
         text += &format!("\n{group}\n{}\n", table::wrapped(&names.join(", "), "", columns.or(Some(120))));
     }
     text + &table::left_out(&[&languages, &codecs])
