@@ -87,7 +87,8 @@ fn maximum_is_at_circumcentres() {
         assert!((exact / derived - 1.0).abs() < if bits == 16 { 6e-3 } else { 6e-4 }, "{}", codec.id);
         assert!(worst > 0.999 * exact - ROUNDING && worst < 1.001 * exact + ROUNDING, "{}", codec.id);
         assert_bounded(&codec, worst);
-        assert!(bits == 16 || f64::from(codec.max_error_deg()) < 1.001 * derived + ROUNDING, "{}", codec.id);
+        // To which the edges add.
+        assert!(bits == 16 || f64::from(codec.max_error_deg()) < 1.01 * derived, "{}", codec.id);
     }
 }
 

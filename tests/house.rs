@@ -130,7 +130,8 @@ const RULE: &str = "GPUs round quotients and roots badly: call quotient, signed_
     (in GLSL with unitvec_ before), and ratio for constants of Rust. `/` is for integers over a literal and for two literals";
 
 /// Divisors that are integers, and constants where they are used: the numbers of codes in a part of a lattice.
-const INTEGERS: [&str; 3] = ["lattice.face", "lattice.line", "radix"];
+const INTEGERS: [&str; 6] =
+    ["lattice.face()", "lattice.line()", "radix", "(radix * radix", "points", "line_length"];
 
 /// The functions of GLSL that divide: those of the rule, of which some are only parts, quotients of snorms, which the exact
 /// edition multiplies, and one of integers.
@@ -145,8 +146,9 @@ fn divides(line: &str) -> bool {
     let has_quotient = line.match_indices('/').any(|(at, _)| {
         let (left, right) = (line[..at].trim_end(), line[at + 1..].trim_start());
         let left = &left[left.rfind(|c| !is_part(c)).map_or(0, |before| before + 1)..];
+        let is_integer = INTEGERS.iter().any(|divisor| right.starts_with(divisor));
         let right = &right[..right.find(|c| !is_part(c)).unwrap_or(right.len())];
-        !(INTEGERS.contains(&right) || is_literal(right) && (is_literal(left) || !right.contains('.')))
+        !(is_integer || is_literal(right) && (is_literal(left) || !right.contains('.')))
     });
     has_quotient || line.contains("sqrt(") || line.contains(".recip()")
 }
