@@ -56,6 +56,13 @@ uint unitvec_hexcube_face(UnitvecHexcubeLattice lattice) {
     return uint(2 * unitvec_hexcube_middle(lattice) + 1);
 }
 
+// The nearest whole number, the even one of two, for magnitudes up to 2^21. It converts integers: where compilers may, they
+// join the two constants of the sum with 1.5 2^23 and back.
+float unitvec_hexcube_rounded(float x) {
+    precise float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
+    return float(int(asuint(sum) - asuint(UNITVEC_ONE_AND_A_HALF_2_23)));
+}
+
 // The point of the quarter face u, v >= 0 for X and Y: p over side. Its column, from the middle on, and its row in
 // pairs: whole numbers, or both halves.
 float2 unitvec_hexcube_nearest(float2 p, float side, UnitvecHexcubeLattice lattice) {
@@ -68,15 +75,14 @@ float2 unitvec_hexcube_nearest(float2 p, float side, UnitvecHexcubeLattice latti
     float last_x = 0.5 * float(lattice.columns);
     float last_y = 0.5 * float(lattice.rows);
 
-    precise float whole_y = (y + UNITVEC_ONE_AND_A_HALF_2_23) - UNITVEC_ONE_AND_A_HALF_2_23;
+    float whole_y = unitvec_hexcube_rounded(y);
     precise float from_whole = y - whole_y;
     float half_row = unitvec_with_sign(0.5, from_whole);
     precise float from_half = from_whole - half_row;
     precise float shear = (u * v) * (UNITVEC_HEXCUBE_SHEAR_0 - UNITVEC_HEXCUBE_SHEAR_1 * u);
     precise float x_of_whole = x - shear * from_whole;
     precise float x_of_half = x - shear * from_half;
-    precise float nearest_x = (x_of_whole + UNITVEC_ONE_AND_A_HALF_2_23) - UNITVEC_ONE_AND_A_HALF_2_23;
-    float whole_x = min(nearest_x, last_x);
+    float whole_x = min(unitvec_hexcube_rounded(x_of_whole), last_x);
     precise float nearest_half_x = floor(x_of_half) + 0.5;
     float half_x = min(nearest_half_x, last_x - 0.5);
     precise float off_whole = x_of_whole - whole_x;

@@ -53,6 +53,13 @@ fn unitvec_hexcube_face(lattice: UnitvecHexcubeLattice) -> u32 {
     return u32(2 * unitvec_hexcube_middle(lattice) + 1);
 }
 
+// The nearest whole number, the even one of two, for magnitudes up to 2^21. It converts integers: where compilers may, they
+// join the two constants of the sum with 1.5 2^23 and back.
+fn unitvec_hexcube_rounded(x: f32) -> f32 {
+    let sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
+    return f32(i32(bitcast<u32>(sum) - bitcast<u32>(UNITVEC_ONE_AND_A_HALF_2_23)));
+}
+
 // The point of the quarter face u, v >= 0 for X and Y: p over side. Its column, from the middle on, and its row in
 // pairs: whole numbers, or both halves.
 fn unitvec_hexcube_nearest(p: vec2f, side: f32, lattice: UnitvecHexcubeLattice) -> vec2f {
@@ -65,15 +72,14 @@ fn unitvec_hexcube_nearest(p: vec2f, side: f32, lattice: UnitvecHexcubeLattice) 
     let last_x = 0.5 * f32(lattice.columns);
     let last_y = 0.5 * f32(lattice.rows);
 
-    let whole_y = (y + UNITVEC_ONE_AND_A_HALF_2_23) - UNITVEC_ONE_AND_A_HALF_2_23;
+    let whole_y = unitvec_hexcube_rounded(y);
     let from_whole = y - whole_y;
     let half_row = unitvec_with_sign(0.5, from_whole);
     let from_half = from_whole - half_row;
     let shear = (u * v) * (UNITVEC_HEXCUBE_SHEAR_0 - UNITVEC_HEXCUBE_SHEAR_1 * u);
     let x_of_whole = x - shear * from_whole;
     let x_of_half = x - shear * from_half;
-    let nearest_x = (x_of_whole + UNITVEC_ONE_AND_A_HALF_2_23) - UNITVEC_ONE_AND_A_HALF_2_23;
-    let whole_x = min(nearest_x, last_x);
+    let whole_x = min(unitvec_hexcube_rounded(x_of_whole), last_x);
     let nearest_half_x = floor(x_of_half) + 0.5;
     let half_x = min(nearest_half_x, last_x - 0.5);
     let off_whole = x_of_whole - whole_x;

@@ -62,6 +62,13 @@ uint unitvec_hexcube_face(UnitvecHexcubeLattice lattice) {
     return uint(2 * unitvec_hexcube_middle(lattice) + 1);
 }
 
+// The nearest whole number, the even one of two, for magnitudes up to 2^21. It converts integers: where compilers may, they
+// join the two constants of the sum with 1.5 2^23 and back.
+float unitvec_hexcube_rounded(float x) {
+    float sum = min(x + UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_HUGE);
+    return float(int(floatBitsToUint(sum) - floatBitsToUint(UNITVEC_ONE_AND_A_HALF_2_23)));
+}
+
 // The point of the quarter face u, v >= 0 for X and Y: p over side. Its column, from the middle on, and its row in
 // pairs: whole numbers, or both halves.
 vec2 unitvec_hexcube_nearest(vec2 p, float side, UnitvecHexcubeLattice lattice) {
@@ -74,7 +81,7 @@ vec2 unitvec_hexcube_nearest(vec2 p, float side, UnitvecHexcubeLattice lattice) 
     float last_x = 0.5 * float(lattice.columns);
     float last_y = 0.5 * float(lattice.rows);
 
-    float whole_y = min(min(y + UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_HUGE) - UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_HUGE);
+    float whole_y = unitvec_hexcube_rounded(y);
     float from_whole = min(y - whole_y, UNITVEC_HUGE);
     float half_row = unitvec_with_sign(0.5, from_whole);
     float from_half = min(from_whole - half_row, UNITVEC_HUGE);
@@ -82,9 +89,7 @@ vec2 unitvec_hexcube_nearest(vec2 p, float side, UnitvecHexcubeLattice lattice) 
         - min(UNITVEC_HEXCUBE_SHEAR_1 * u, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     float x_of_whole = min(x - min(shear * from_whole, UNITVEC_HUGE), UNITVEC_HUGE);
     float x_of_half = min(x - min(shear * from_half, UNITVEC_HUGE), UNITVEC_HUGE);
-    float nearest_x =
-        min(min(x_of_whole + UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_HUGE) - UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_HUGE);
-    float whole_x = min(nearest_x, last_x);
+    float whole_x = min(unitvec_hexcube_rounded(x_of_whole), last_x);
     float nearest_half_x = min(floor(x_of_half) + 0.5, UNITVEC_HUGE);
     float half_x = min(nearest_half_x, last_x - 0.5);
     float off_whole = min(x_of_whole - whole_x, UNITVEC_HUGE);

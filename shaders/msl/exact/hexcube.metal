@@ -59,6 +59,13 @@ inline uint unitvec_hexcube_face(UnitvecHexcubeLattice lattice) {
     return uint(2 * unitvec_hexcube_middle(lattice) + 1);
 }
 
+// The nearest whole number, the even one of two, for magnitudes up to 2^21. It converts integers: where compilers may, they
+// join the two constants of the sum with 1.5 2^23 and back.
+inline float unitvec_hexcube_rounded(float x) {
+    float sum = min(x + UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_HUGE);
+    return float(int(as_type<uint>(sum) - as_type<uint>(UNITVEC_ONE_AND_A_HALF_2_23)));
+}
+
 // The point of the quarter face u, v >= 0 for X and Y: p over side. Its column, from the middle on, and its row in
 // pairs: whole numbers, or both halves.
 inline float2 unitvec_hexcube_nearest(float2 p, float side, UnitvecHexcubeLattice lattice) {
@@ -71,7 +78,7 @@ inline float2 unitvec_hexcube_nearest(float2 p, float side, UnitvecHexcubeLattic
     float last_x = 0.5f * float(lattice.columns);
     float last_y = 0.5f * float(lattice.rows);
 
-    float whole_y = min(min(y + UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_HUGE) - UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_HUGE);
+    float whole_y = unitvec_hexcube_rounded(y);
     float from_whole = min(y - whole_y, UNITVEC_HUGE);
     float half_row = unitvec_with_sign(0.5f, from_whole);
     float from_half = min(from_whole - half_row, UNITVEC_HUGE);
@@ -79,9 +86,7 @@ inline float2 unitvec_hexcube_nearest(float2 p, float side, UnitvecHexcubeLattic
         - min(UNITVEC_HEXCUBE_SHEAR_1 * u, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     float x_of_whole = min(x - min(shear * from_whole, UNITVEC_HUGE), UNITVEC_HUGE);
     float x_of_half = min(x - min(shear * from_half, UNITVEC_HUGE), UNITVEC_HUGE);
-    float nearest_x =
-        min(min(x_of_whole + UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_HUGE) - UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_HUGE);
-    float whole_x = min(nearest_x, last_x);
+    float whole_x = min(unitvec_hexcube_rounded(x_of_whole), last_x);
     float nearest_half_x = min(floor(x_of_half) + 0.5f, UNITVEC_HUGE);
     float half_x = min(nearest_half_x, last_x - 0.5f);
     float off_whole = min(x_of_whole - whole_x, UNITVEC_HUGE);
