@@ -116,7 +116,8 @@ mod tests {
         for (name, text) in &modules[1..] {
             let functions = functions(text);
             let names: Vec<&str> = functions.iter().map(|(name, _)| *name).collect();
-            let is_for_codes = |name: &&str| name.contains("_encode") || name.starts_with("code_");
+            let is_for_codes =
+                |name: &&str| ["_encode", "code_", "_to_"].iter().any(|part| name.contains(part));
             assert!(names.iter().any(is_for_codes), "{name}: no function for codes was read");
             imports += &import(name, &names.join(", "));
             called.extend(functions);
