@@ -61,7 +61,7 @@ fn errors(backend: &mut dyn Backend, format: &AnyCodec, count: usize, seed: u64)
     let elements = random_elements(format.element, format.domain, seed);
     round_trip(backend, format, elements, count, |element, decoded| {
         if decoded.iter().all(|c| c.is_finite()) {
-            errors.add(element, decoded);
+            errors.add(format.element, element, decoded);
         } else {
             lost += 1;
         }
@@ -79,7 +79,7 @@ fn mean(encoder: &mut dyn Backend, decoder: &mut dyn Backend, format: &AnyCodec)
     decoder.decode(format, &codes, &mut decoded).unwrap();
     let mut errors = ElementErrors::default();
     let pairs = elements.chunks_exact(floats).zip(decoded.chunks_exact(floats));
-    pairs.for_each(|(element, decoded)| errors.add(element, decoded));
+    pairs.for_each(|(element, decoded)| errors.add(format.element, element, decoded));
     errors.normal.mean_deg() + errors.tangent.mean_deg()
 }
 
@@ -221,7 +221,7 @@ fn of_directions(format: &AnyCodec, pairs: &[(&[f32], &[f32])]) -> String {
     let (mut worst, mut wrong, mut nan) = (0.0f64, BTreeSet::new(), false);
     for (element, decoded) in pairs {
         let mut errors = ElementErrors::default();
-        errors.add(element, decoded);
+        errors.add(format.element, element, decoded);
         let error = errors.normal.max_deg().max(errors.tangent.max_deg());
         nan |= decoded.iter().any(|c| !c.is_finite());
         wrong.insert(if error > bound { name(decoded) } else { String::new() });

@@ -26,12 +26,13 @@ mod recommended;
 use bytemuck::{cast_slice, cast_slice_mut};
 use cpu::{AnyFunctions, Functions, resized, with_functions};
 use std::hash::{Hash, Hasher};
+use unitvec::direction::is_usable;
 use unitvec::interop::UnknownFormat;
 use unitvec::slice::machine::Level;
 use unitvec::slice::{EncodeAt, LengthMismatch, expect_length, par_decode_with, par_encode_with};
 #[cfg(doc)]
 use unitvec::{Codec, FrameCodec, RotationCodec};
-use unitvec::{Listed, ListedFrame, ListedRotation};
+use unitvec::{Listed, ListedFrame, ListedRotation, angle_deg, rotation_angle_deg};
 
 pub use cpu::best_fit_table;
 pub use formats::{find_any, formats};
@@ -301,12 +302,34 @@ impl Element {
         }
     }
 
+    /// The parts of an element, in the order of [`directions`](Self::directions).
+    pub fn parts(self, element: &[f32]) -> impl Iterator<Item = &[f32]> {
+        element.chunks_exact(self.part_floats()).take(self.directions().len())
+    }
+
     const fn row(self) -> (usize, &'static str, &'static [&'static str]) {
         match self {
             Self::Vector => (3, "vectors", &["direction"]),
             Self::Frame => (7, "frames", &["normal", "tangent"]),
             Self::Rotation => (4, "rotations", &["rotation"]),
         }
+    }
+}
+
+/// True where a part of an element has a direction that codecs can use: see [`unitvec::direction`].
+pub fn has_direction(part: &[f32]) -> bool {
+    is_usable(part.iter().map(|component| component.abs()).sum())
+}
+
+/// The angle between two parts of elements, in degrees: of rotations that of the rotation between them. NaN where a component is
+/// infinite or NaN.
+pub fn angle_between_parts_deg(a: &[f32], b: &[f32]) -> f64 {
+    match (a, b) {
+        (&[x, y, z, w], &[to_x, to_y, to_z, to_w]) => {
+            rotation_angle_deg([x, y, z, w], [to_x, to_y, to_z, to_w])
+        }
+        (&[x, y, z], &[to_x, to_y, to_z]) => angle_deg([x, y, z], [to_x, to_y, to_z]),
+        _ => f64::NAN,
     }
 }
 

@@ -41,8 +41,8 @@
 //!   interpolated.
 
 use crate::arith::{
-    SIGN_BIT, diamond_code, diamond_error, diamond_point, dot, flip_sign, nearest_code, nearest_pair,
-    normalize, ratio, signed_quotient, snorm_integer, snorm_max, with_sign,
+    SIGN_BIT, diamond_code, diamond_error, diamond_point, dot, flip_sign, hypotenuse_bound, nearest_code,
+    nearest_pair, normalize, ratio, signed_quotient, snorm_integer, snorm_max, with_sign,
 };
 use crate::codec::{Codec, RawCode, storage_bytes};
 use crate::direction::{is_usable, l1_norm};
@@ -221,15 +221,6 @@ fn handedness_code(handedness: f32) -> u32 {
 #[inline(always)]
 fn handedness(code: u32) -> f32 {
     flip_sign(1.0, code & SIGN_BIT)
-}
-
-/// An upper bound of `sqrt(d^2 + e^2)`: steps of Heron's method from above stay above.
-pub(crate) const fn hypotenuse_bound(d: f32, e: f32) -> f32 {
-    let square = d * d + e * e;
-    let first = d + e;
-    let second = 0.5 * (first + ratio(square, first));
-    let third = 0.5 * (second + ratio(square, second));
-    0.5 * (third + ratio(square, third))
 }
 
 /// An upper bound of the tangent's error, in degrees: the tilt, the angle's error in the plane, and 2^-22 radians for

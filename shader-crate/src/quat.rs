@@ -59,7 +59,7 @@
 
 use crate::arith::{
     NEGLIGIBLE, coefficients, dot, floor, inverse_root, is_negative, mask, max, min, negate_if, quotient,
-    ratio, reciprocal, scale_to_one, signed_quotient, whole_to_u32,
+    ratio, reciprocal, scale_to_one, signed_quotient, whole_to_u32, without_denormal, without_denormals,
 };
 use crate::codec::{RawCode, Width, storage_bytes};
 use crate::direction::is_usable;
@@ -182,8 +182,7 @@ fn chart_of(q: Vec4) -> u32 {
 #[inline(always)]
 fn or_identity(q: Vec4) -> Vec4 {
     let norm = (q.x.abs() + q.y.abs()) + (q.z.abs() + q.w.abs());
-    let flushed = |x: f32| if x.abs() < f32::MIN_POSITIVE { 0.0 } else { x };
-    let scaled = Vec4::new(flushed(q.x), flushed(q.y), flushed(q.z), flushed(q.w)) * scale_to_one(norm);
+    let scaled = without_denormals(q.truncate()).extend(without_denormal(q.w)) * scale_to_one(norm);
     if is_usable(norm) { scaled } else { Vec4::W }
 }
 

@@ -8,10 +8,7 @@ use crate::{Error, Result};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::path::Path;
-use unitvec::direction::is_usable;
-use unitvec::{angle_deg, rotation_angle_deg};
-use unitvec_catalogue::{AnyCodec, Element};
-
+use unitvec_catalogue::{AnyCodec, Element, angle_between_parts_deg, has_direction};
 use unitvec_run::backend::{Backend, CHUNK};
 
 /// The errors of one codec over one file, or over all of them.
@@ -204,7 +201,7 @@ impl Meter {
                 let mut elements = originals.to_vec();
                 let pairs = elements.chunks_exact_mut(element.floats()).zip(decoded.chunks(element.floats()));
                 pairs
-                    .filter(|(_, made)| !is_part_usable(made, element, part))
+                    .filter(|(_, made)| !has_direction(part_of(made, element, part)))
                     .for_each(|(original, _)| original.fill(0.0));
                 let elements = &elements;
                 tally.add_all(&Chunk { file, id: AS_IT_IS, before, element, part, elements, decoded })?;
@@ -229,8 +226,7 @@ impl Meter {
 fn parts(element: Element) -> &'static [&'static str] {
     match element {
         Element::Vector => &["vector"],
-        Element::Frame => &["normal", "tangent"],
-        Element::Rotation => &["rotation"],
+        Element::Frame | Element::Rotation => element.directions(),
     }
 }
 
@@ -295,21 +291,10 @@ fn part_of(floats: &[f32], element: Element, part: usize) -> &[f32] {
     &floats[each * part..][..each]
 }
 
-fn is_part_usable(floats: &[f32], element: Element, part: usize) -> bool {
-    is_usable(part_of(floats, element, part).iter().map(|component| component.abs()).sum())
-}
-
 fn error(original: &[f32], decoded: &[f32], element: Element, part: usize) -> Option<f64> {
-    if !(0..=part).all(|part| is_part_usable(original, element, part)) {
-        return None;
-    }
-    Some(match (part_of(original, element, part), part_of(decoded, element, part)) {
-        (&[x, y, z, w], &[dx, dy, dz, dw]) => rotation_angle_deg([x, y, z, w], [dx, dy, dz, dw]),
-        (original, decoded) => {
-            let vector = |v: &[f32]| [v[0], v[1], v[2]];
-            angle_deg(vector(original), vector(decoded))
-        }
-    })
+    let of = |floats| part_of(floats, element, part);
+    let is_usable = element.parts(original).take(part + 1).all(has_direction);
+    is_usable.then(|| angle_between_parts_deg(of(original), of(decoded)))
 }
 
 /// Low bits of an error, as f32, that its bin disregards: the bins are 2^-11 of their errors wide, so that their middles

@@ -4,9 +4,7 @@ use crate::raw::{Suspicion, read_until_full, suspicion, swap_if_big_endian};
 use crate::{Error, Result};
 use std::io::{Read, Write};
 use std::path::Path;
-use unitvec::direction::is_usable;
-use unitvec_catalogue::{AnyCodec, Domain, Element, Null};
-use unitvec_mesh::has_direction;
+use unitvec_catalogue::{AnyCodec, Domain, Element, Null, has_direction};
 use unitvec_run::backend::{Backend, CHUNK};
 
 /// An input or an output with the path that its errors name.
@@ -52,7 +50,8 @@ pub struct Counts {
     /// Vectors, frames or rotations.
     pub elements: u64,
     /// Vectors, rotations, or normals of frames, without a direction that codecs can use (see [`has_direction`]); in codes also
-    /// those with nothing to store: -Z for a codec of the hemisphere, components that all round to 0. Stored as +Z, rotations as the identity.
+    /// those with nothing to store: -Z for a codec of the hemisphere, components that all round to 0. Stored as +Z, rotations as
+    /// the identity.
     pub no_direction: Places,
     /// Vectors without a direction that were stored as the null code.
     pub nulls: u64,
@@ -73,9 +72,7 @@ impl Counts {
         let before = self.add_normals(element, floats);
         if element == Element::Frame {
             let tangents = (before..).zip(vectors(element, floats, 3));
-            tangents
-                .filter(|(_, vector)| !has_direction(*vector))
-                .for_each(|(at, _)| self.no_tangent.add(at));
+            tangents.filter(|(_, vector)| !has_direction(vector)).for_each(|(at, _)| self.no_tangent.add(at));
         }
     }
 
@@ -85,7 +82,7 @@ impl Counts {
         self.elements += (floats.len() / element.floats()) as u64;
         let parts = floats.chunks_exact(element.floats()).map(|floats| &floats[..element.part_floats()]);
         for (at, part) in (before..).zip(parts) {
-            if is_usable(part.iter().map(|c| c.abs()).sum()) {
+            if has_direction(part) {
                 let length = part.iter().map(|c| f64::from(*c).powi(2)).sum::<f64>().sqrt();
                 let [least, most] = self.lengths.unwrap_or([length; 2]);
                 self.lengths = Some([least.min(length), most.max(length)]);
@@ -103,7 +100,7 @@ impl Counts {
         let with_direction = vectors(Element::Vector, floats, 0)
             .zip(codes.chunks_exact(format.bytes))
             .zip(before..)
-            .filter(|((vector, _), _)| has_direction(*vector));
+            .filter(|((vector, _), _)| has_direction(vector));
         for ((vector, code), at) in with_direction {
             let is_below = format.domain == Domain::Hemisphere && vector[2] < 0.0;
             // A vector along +Z has raw components of 1/2 at least where its code is +Z's.

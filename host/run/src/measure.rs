@@ -2,8 +2,7 @@
 
 use crate::backend::{Backend, round_trip};
 use crate::{Result, sampling};
-use unitvec::{angle_deg, rotation_angle_deg};
-use unitvec_catalogue::{AnyCodec, Domain};
+use unitvec_catalogue::{AnyCodec, Domain, Element, angle_between_parts_deg};
 
 /// Mean and maximum of a series of errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -15,13 +14,8 @@ pub struct ErrorStats {
 }
 
 impl ErrorStats {
-    /// Adds the error between a direction and its decoded one.
-    pub fn add(&mut self, original: [f32; 3], decoded: [f32; 3]) {
-        self.add_deg(angle_deg(original, decoded));
-    }
-
     /// Adds an error in degrees.
-    pub fn add_deg(&mut self, error: f64) {
+    pub fn add(&mut self, error: f64) {
         self.sum += error;
         self.sum_of_squares += error * error;
         self.max = self.max.max(error);
@@ -57,14 +51,10 @@ pub struct ElementErrors {
 
 impl ElementErrors {
     /// Adds the errors between an element and its decoded one.
-    pub fn add(&mut self, original: &[f32], decoded: &[f32]) {
-        if let (&[ax, ay, az, aw], &[bx, by, bz, bw]) = (original, decoded) {
-            return self.normal.add_deg(rotation_angle_deg([ax, ay, az, aw], [bx, by, bz, bw]));
-        }
-        let vector = |v: &[f32]| [v[0], v[1], v[2]];
-        let vectors = original.chunks_exact(3).map(vector).zip(decoded.chunks_exact(3).map(vector));
-        for (errors, (original, decoded)) in [&mut self.normal, &mut self.tangent].into_iter().zip(vectors) {
-            errors.add(original, decoded);
+    pub fn add(&mut self, element: Element, original: &[f32], decoded: &[f32]) {
+        let parts = element.parts(original).zip(element.parts(decoded));
+        for (errors, (original, decoded)) in [&mut self.normal, &mut self.tangent].into_iter().zip(parts) {
+            errors.add(angle_between_parts_deg(original, decoded));
         }
     }
 }
@@ -82,7 +72,9 @@ pub fn measure(
 ) -> Result<ElementErrors> {
     let mut errors = ElementErrors::default();
     let elements = sampling::random_elements(codec.element, domain, seed);
-    round_trip(backend, codec, elements, count, |element, decoded| errors.add(element, decoded))?;
+    round_trip(backend, codec, elements, count, |element, decoded| {
+        errors.add(codec.element, element, decoded)
+    })?;
     Ok(errors)
 }
 
@@ -96,7 +88,7 @@ mod tests {
         let mut errors = ErrorStats::default();
         for degrees in [1.0f64, 3.0] {
             let (sin, cos) = degrees.to_radians().sin_cos();
-            errors.add([1.0, 0.0, 0.0], [cos as f32, sin as f32, 0.0]);
+            errors.add(unitvec::angle_deg([1.0, 0.0, 0.0], [cos as f32, sin as f32, 0.0]));
         }
         assert!((errors.mean_deg() - 2.0).abs() < 1e-6);
         assert!((errors.standard_error_deg() - 0.5f64.sqrt()).abs() < 1e-6);

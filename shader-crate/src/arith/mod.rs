@@ -45,7 +45,9 @@ pub use pack::{mask, nearest_code, nearest_pair, signed_code, signed_integer, si
 pub use round::whole_to_u32;
 pub(crate) use round::{ONE_AND_A_HALF_2_23, TWO_23, integer_part, nearest_whole, small_floor, whole_to_i32};
 pub use scale::{ENORMOUS, NEGLIGIBLE, is_within};
-pub(crate) use scale::{LEAST_X, LEAST_Y, exp2, scale_to_one, scaled_to_one};
+pub(crate) use scale::{
+    LEAST_X, LEAST_Y, exp2, scale_to_one, scaled_to_one, without_denormal, without_denormals,
+};
 pub(crate) use sign::{SIGN_BIT, flip_sign};
 pub use sign::{is_negative, negate_if, negate_positive, with_sign};
 pub use snorm::{
@@ -55,5 +57,5 @@ pub use snorm::{
 pub(crate) use snorm::{biased, is_nan, is_set, snorm_clamp, unbiased};
 pub use trig::*;
 pub(crate) use two_float::{Coordinate, coordinate, normalize_parts, product_rest, two_sum};
-pub(crate) use vector::normalize_octahedral;
 pub use vector::{dot, horizontal_length, normalize};
+pub(crate) use vector::{hypotenuse_bound, normalize_octahedral};

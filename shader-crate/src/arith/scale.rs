@@ -35,11 +35,22 @@ pub(crate) fn scale_to_one(l1_norm: f32) -> f32 {
     f32::from_bits((254u32 << 23).wrapping_sub(l1_norm.to_bits() & 0x7f80_0000))
 }
 
+/// `x`, or 0 for denormals and -0: devices may flush them.
+#[inline(always)]
+pub(crate) fn without_denormal(x: f32) -> f32 {
+    if x.abs() < f32::MIN_POSITIVE { 0.0 } else { x }
+}
+
+/// `v` without denormals and -0.
+#[inline(always)]
+pub(crate) fn without_denormals(v: Vec3) -> Vec3 {
+    Vec3::new(without_denormal(v.x), without_denormal(v.y), without_denormal(v.z))
+}
+
 /// `v`, denormal components as 0, scaled by [`scale_to_one`] of its L1 norm: squares of components that count neither
 /// overflow nor vanish. Scaled up, denormals could be large beside the others of a short vector, and devices that flush them
 /// would differ.
 #[inline(always)]
 pub(crate) fn scaled_to_one(v: Vec3, l1_norm: f32) -> Vec3 {
-    let flushed = |x: f32| if x.abs() < f32::MIN_POSITIVE { 0.0 } else { x };
-    Vec3::new(flushed(v.x), flushed(v.y), flushed(v.z)) * scale_to_one(l1_norm)
+    without_denormals(v) * scale_to_one(l1_norm)
 }

@@ -1,6 +1,6 @@
 //! Vectors, with sums in a stated order.
 
-use super::{inverse_root, inverse_root_near, is_within, root};
+use super::{inverse_root, inverse_root_near, is_within, ratio, root};
 use glam::Vec3;
 
 /// `a . b`, summed from x to z.
@@ -27,4 +27,13 @@ pub(crate) fn normalize_octahedral(v: Vec3, m: f32, unit: f32) -> Vec3 {
 #[inline(always)]
 pub fn horizontal_length(v: Vec3) -> f32 {
     root(v.x * v.x + v.y * v.y)
+}
+
+/// An upper bound of `sqrt(d^2 + e^2)`: steps of Heron's method from above stay above.
+pub(crate) const fn hypotenuse_bound(d: f32, e: f32) -> f32 {
+    let square = d * d + e * e;
+    let first = d + e;
+    let second = 0.5 * (first + ratio(square, first));
+    let third = 0.5 * (second + ratio(square, second));
+    0.5 * (third + ratio(square, third))
 }

@@ -1,7 +1,7 @@
 //! Directions in the frame of an axis, by `1 - cos` of their angle from it: what [`Cap`](super::Cap) and
 //! [`Dense`](super::Dense) share.
 
-use crate::arith::{dot, exp2, is_negative, max, min, normalize, quotient, scaled_to_one};
+use crate::arith::{dot, exp2, is_negative, max, min, normalize, quotient, scaled_to_one, without_denormals};
 use crate::direction::{is_usable, l1_norm};
 use crate::frame::basis;
 use glam::Vec3;
@@ -44,8 +44,7 @@ impl About {
     /// and so a small angle is.
     #[inline(always)]
     pub(super) fn axis(axis: Vec3, v: Vec3) -> Self {
-        let norm = l1_norm(v);
-        let n = if is_usable(norm) { normalize(scaled_to_one(v, norm)) } else { axis };
+        let n = unit_or(v, axis);
         let z = dot(n, axis);
         let off = if is_negative(z) { n + axis } else { n - axis };
         let (first, second) = basis(axis);
@@ -83,19 +82,25 @@ impl About {
 pub(super) fn lifted(axis: Vec3, basis: (Vec3, Vec3), x: f32, y: f32, h: f32) -> Vec3 {
     let v = axis + ((basis.0 * x + basis.1 * y) - axis * h);
     let pole = if h > 1.0 { -axis } else { axis };
-    flushed(if (x == 0.0) & (y == 0.0) { pole } else { normalize(v) })
+    without_denormals(if (x == 0.0) & (y == 0.0) { pole } else { normalize(v) })
 }
 
 /// The direction of `v` at unit length, no component of it denormal or -0; +Z where it has none.
 #[inline(always)]
 pub(super) fn unit_axis(v: Vec3) -> Vec3 {
-    let norm = l1_norm(v);
-    flushed(if is_usable(norm) { normalize(scaled_to_one(v, norm)) } else { Vec3::Z })
+    without_denormals(unit_or(v, Vec3::Z))
 }
 
-/// `v` with denormals and -0 as 0.
+/// `v` at unit length, or `other` where it has no usable direction.
 #[inline(always)]
-fn flushed(v: Vec3) -> Vec3 {
-    let part = |x: f32| if x.abs() < f32::MIN_POSITIVE { 0.0 } else { x };
-    Vec3::new(part(v.x), part(v.y), part(v.z))
+fn unit_or(v: Vec3, other: Vec3) -> Vec3 {
+    let norm = l1_norm(v);
+    if is_usable(norm) { normalize(scaled_to_one(v, norm)) } else { other }
+}
+
+/// The bound of a wrapped codec's error, in degrees: the codec's, times the most that the map lengthens, and 2^-22 radians for
+/// `f32` before the map and after.
+pub(super) fn bound_deg(codec_deg: f32, most: f32) -> f32 {
+    let rounding = exp2(-22).to_degrees();
+    (codec_deg + rounding) * most + rounding
 }

@@ -37,7 +37,7 @@
 //! * Good for: normals of meshlets, light cones, fur, fibres. Weakness: a root and a quotient each way, and an axis and
 //!   an angle to store or know.
 
-use super::about::{About, lifted, unit_axis};
+use super::about::{About, bound_deg, lifted, unit_axis};
 use crate::arith::{exp2, is_nan, max, min, quotient, root, sin};
 use crate::codec::Domain;
 use crate::frame::basis;
@@ -181,7 +181,6 @@ impl<C: Listed> Cap<C> {
             }
             Domain::Sphere => 1.0,
         };
-        let rounding = exp2(-22).to_degrees();
-        (C::MAX_ERROR_DEG + rounding) * most + rounding
+        bound_deg(C::MAX_ERROR_DEG, most)
     }
 }

@@ -35,8 +35,8 @@
 //! * Layout: the codec's own; all codes are used. The axis and its opposite come back exactly where the codec keeps +Z
 //!   and -Z. Bad input: as with [`Cap`](super::Cap).
 
-use super::about::{About, lifted, unit_axis};
-use crate::arith::{exp2, is_nan, max, min, over, quotient, root};
+use super::about::{About, bound_deg, lifted, unit_axis};
+use crate::arith::{is_nan, max, min, over, quotient, root};
 use crate::codec::Domain;
 use crate::frame::basis;
 use crate::list::Listed;
@@ -134,18 +134,13 @@ impl<C: Listed> Dense<C> {
     #[must_use]
     pub fn max_error_deg(self) -> f32 {
         let ratio = quotient(2.0 - self.behind, self.behind);
-        self.bound_deg(root(ratio))
+        bound_deg(C::MAX_ERROR_DEG, root(ratio))
     }
 
     /// The same bound for directions at more than this angle from the border, in front: with `(r + 1) / (2 sqrt r)`.
     #[must_use]
     pub fn max_front_error_deg(self) -> f32 {
         let across = root((2.0 - self.behind) * self.behind);
-        self.bound_deg(over(1.0, across))
-    }
-
-    fn bound_deg(self, most: f32) -> f32 {
-        let rounding = exp2(-22).to_degrees();
-        (C::MAX_ERROR_DEG + rounding) * most + rounding
+        bound_deg(C::MAX_ERROR_DEG, over(1.0, across))
     }
 }

@@ -35,11 +35,11 @@
 //! ```
 
 use crate::arith::{
-    ONE_AND_A_HALF_2_23, SIGN_BIT, coefficients, dot, exp2, is_nan, mask, ratio, scaled_to_one, with_sign,
+    ONE_AND_A_HALF_2_23, SIGN_BIT, coefficients, dot, exp2, hypotenuse_bound, is_nan, mask, ratio,
+    scaled_to_one, with_sign,
 };
 use crate::codec::{Codec, RawCode};
 use crate::direction::{MIN_NORM, l1_norm};
-use crate::frame::hypotenuse_bound;
 use crate::oct::OctPrecise;
 use core::f32::consts::LN_2;
 use core::marker::PhantomData;

@@ -2,8 +2,7 @@
 
 use super::Outcome;
 use crate::Result;
-use unitvec::{angle_deg, rotation_angle_deg};
-use unitvec_catalogue::{AnyCodec, Element};
+use unitvec_catalogue::{AnyCodec, Element, angle_between_parts_deg};
 use unitvec_run::backend::{Backend, Cpu};
 
 /// The number of stored codes that differ from those expected, and the largest error of these, as a part of the codec's
@@ -52,22 +51,15 @@ pub(super) fn bits_differ(a: &[f32], b: &[f32]) -> bool {
 
 /// The angles between elements, degrees: of each the angle of the vectors or rotations, or those of normals and of tangents.
 fn angles<'a>(element: Element, a: &'a [f32], b: &'a [f32]) -> impl Iterator<Item = f64> + 'a {
-    let each = element.part_floats();
     let pairs = a.chunks_exact(element.floats()).zip(b.chunks_exact(element.floats()));
     pairs.flat_map(move |(a, b)| {
-        let parts = a.chunks_exact(each).zip(b.chunks_exact(each)).take(element.directions().len());
+        let parts = element.parts(a).zip(element.parts(b));
         parts.map(move |(of_a, of_b)| if bits_differ(a, b) { angle_or_all(of_a, of_b) } else { 0.0 })
     })
 }
 
 /// The angle in degrees; 180 where there is none.
 fn angle_or_all(a: &[f32], b: &[f32]) -> f64 {
-    let angle = match (a, b) {
-        (&[x, y, z, w], &[to_x, to_y, to_z, to_w]) => {
-            rotation_angle_deg([x, y, z, w], [to_x, to_y, to_z, to_w])
-        }
-        (&[x, y, z], &[to_x, to_y, to_z]) => angle_deg([x, y, z], [to_x, to_y, to_z]),
-        _ => f64::NAN,
-    };
+    let angle = angle_between_parts_deg(a, b);
     if angle.is_nan() { 180.0 } else { angle }
 }

@@ -112,36 +112,29 @@ pub(super) fn parse_frames(path: &Path, bytes: &[u8], reach: Reach) -> Result<Fr
 /// Reads the rotations of all samplers of all animations, in the order of [`Rotations`].
 pub(super) fn parse_rotations(path: &Path, bytes: &[u8], reach: Reach) -> Result<Rotations, MeshError> {
     let file = load(path, bytes, reach, &[])?;
-    let mut all = Rotations { rotations: Vec::new(), parts: Vec::new() };
-    let mut places: HashMap<u32, (usize, usize)> = HashMap::new();
+    let mut all = Collected::new(&file);
     for (animation, (sampler, output, is_cubic)) in file.rotations() {
-        let (first, count) = match places.entry(output) {
-            Entry::Occupied(place) => *place.get(),
-            Entry::Vacant(place) => {
-                let (first, accessor) = (all.rotations.len(), file.accessor(output)?);
-                file.check_vertices(first.saturating_add(accessor.count()))?;
-                reserve(path, &mut all.rotations, accessor.count())?;
-                let mut at = 0;
-                file.vectors_of(&accessor, false, Dimensions::Vec4, |rotation| {
-                    // A key of a cubic spline is a tangent, the value and another tangent.
-                    if !is_cubic || at % 3 == 1 {
-                        all.rotations.push(rotation);
-                    }
-                    at += 1;
-                })?;
-                *place.insert((first, all.rotations.len() - first))
-            }
-        };
-        let name = file.animations[animation].name.as_deref().map(short);
-        all.parts.push(Part { mesh: animation, name, primitive: sampler, first, count, computed: false });
+        let name = || file.animations[animation].name.as_deref().map(short);
+        let accessor = file.accessor(output)?;
+        all.put(animation, sampler, name, Accessors::Rotations(output), accessor.count(), |rotations| {
+            reserve(path, rotations, accessor.count())?;
+            let mut at = 0;
+            file.vectors_of(&accessor, false, Dimensions::Vec4, |rotation| {
+                // A key of a cubic spline is a tangent, the value and another tangent.
+                if !is_cubic || at % 3 == 1 {
+                    rotations.push(rotation);
+                }
+                at += 1;
+            })
+        })?;
     }
-    match all.rotations.is_empty() {
+    match all.elements.is_empty() {
         true => Err(MeshError::NoRotations { path: path.into() }),
-        false => Ok(all),
+        false => Ok(Rotations { rotations: all.elements, parts: all.parts }),
     }
 }
 
-/// The accessors that the elements of a primitive come from.
+/// The accessors that the elements of a primitive or a sampler come from.
 #[derive(PartialEq, Eq, Hash)]
 enum Accessors {
     Normals(u32),
@@ -149,9 +142,10 @@ enum Accessors {
     Faces(usize),
     /// The accessors of normals and of tangents.
     Frames(u32, u32),
+    Rotations(u32),
 }
 
-/// The elements of the primitives so far, and where those of each lie.
+/// The elements of the primitives or samplers so far, and where those of each lie.
 struct Collected<'f, const N: usize> {
     file: &'f File<'f>,
     elements: Vec<[f32; N]>,
@@ -173,20 +167,35 @@ impl<'f, const N: usize> Collected<'f, N> {
         from: Accessors,
         read: impl FnOnce(&mut Vec<[f32; N]>) -> Result<(), MeshError>,
     ) -> Result<(), MeshError> {
+        let file = self.file;
+        let of = &file.meshes[mesh].primitives[primitive];
+        let vertices = file.attribute(of, &Semantic::Positions)?.count();
+        let name = || file.meshes[mesh].name.as_deref().map(short);
+        self.put(mesh, primitive, name, from, vertices, read)
+    }
+
+    /// Adds a primitive of a mesh, or a sampler of an animation, of that name, which has as many elements as `count` at most.
+    fn put(
+        &mut self,
+        mesh: usize,
+        primitive: usize,
+        name: impl FnOnce() -> Option<Arc<str>>,
+        from: Accessors,
+        count: usize,
+        read: impl FnOnce(&mut Vec<[f32; N]>) -> Result<(), MeshError>,
+    ) -> Result<(), MeshError> {
         let computed = matches!(from, Accessors::Faces(_));
         let (first, count) = match self.places.entry(from) {
             Entry::Occupied(place) => *place.get(),
             Entry::Vacant(place) => {
-                let (first, of) = (self.elements.len(), &self.file.meshes[mesh].primitives[primitive]);
-                let vertices = self.file.attribute(of, &Semantic::Positions)?.count();
-                self.file.check_vertices(first.saturating_add(vertices))?;
+                let first = self.elements.len();
+                self.file.check_vertices(first.saturating_add(count))?;
                 read(&mut self.elements)?;
                 *place.insert((first, self.elements.len() - first))
             }
         };
         // One name for all primitives of a mesh.
         let named = self.parts.last().filter(|part| part.mesh == mesh);
-        let name = || self.file.meshes[mesh].name.as_deref().map(short);
         let name = named.map_or_else(name, |part| part.name.clone());
         self.parts.push(Part { mesh, name, primitive, first, count, computed });
         Ok(())

@@ -1,9 +1,10 @@
 use super::run::Json;
 use super::table::{self, Layout, left, right};
 use clap::Args;
+use std::fmt::Display;
 use std::process::ExitCode;
 use unitvec::interop::{FRAMES, ROTATIONS, ROWS};
-use unitvec_catalogue::{CODECS, Domain, frames, rotations, vectors};
+use unitvec_catalogue::{AnyCodec, CODECS, Domain, frames, rotations, vectors};
 use unitvec_host::Result;
 
 #[derive(Args)]
@@ -40,29 +41,6 @@ fn tables(columns: Option<usize>) -> String {
         ],
         columns,
     );
-    let of_frames = Layout::new(
-        vec![
-            left("codec of frames", 20),
-            right("bits", 4),
-            right("bytes", 5),
-            right("normal bound (deg)", 22).apart(),
-            right("tangent bound (deg)", 23),
-            left("Vulkan format", 35).apart().rank(1),
-            left("GLSL", 19).rank(2),
-        ],
-        columns,
-    );
-    let of_rotations = Layout::new(
-        vec![
-            left("codec of rotations", 20),
-            right("bits", 4),
-            right("bytes", 5),
-            right("bound (deg)", 22).apart(),
-            left("Vulkan format", 35).apart().rank(1),
-            left("GLSL", 19).rank(2),
-        ],
-        columns,
-    );
     let mut text = of_vectors.heading();
     for codec in vectors() {
         let domain = match codec.domain {
@@ -83,40 +61,44 @@ fn tables(columns: Option<usize>) -> String {
             &codec.glsl_file(),
         ]);
     }
-    text.push('\n');
-    text += &of_frames.heading();
-    for codec in frames() {
-        text += &of_frames.line(&[
-            &codec.id,
-            &codec.bits,
-            &codec.bytes,
-            &format_args!("{:.7}", codec.max_errors_deg[0]),
-            &format_args!("{:.7}", codec.max_errors_deg[1]),
-            &codec.vk_format.unwrap_or("-"),
-            &codec.glsl_file(),
-        ]);
+    let of_frames =
+        of_others("codec of frames", &[("normal bound (deg)", 22), ("tangent bound (deg)", 23)], columns);
+    let of_rotations = of_others("codec of rotations", &[("bound (deg)", 22)], columns);
+    for (layout, codecs) in [(&of_frames, frames()), (&of_rotations, rotations())] {
+        text += &format!("\n{}", layout.heading());
+        text.extend(codecs.iter().map(|codec| line_of_other(layout, codec)));
     }
-    text.push('\n');
-    text += &of_rotations.heading();
-    for codec in rotations() {
-        text += &of_rotations.line(&[
-            &codec.id,
-            &codec.bits,
-            &codec.bytes,
-            &format_args!("{:.7}", codec.max_error_deg()),
-            &codec.vk_format.unwrap_or("-"),
-            &codec.glsl_file(),
-        ]);
-    }
-    let of_others = FRAMES
+    let named = FRAMES
         .iter()
         .map(|format| format.name)
         .chain(ROTATIONS.iter().map(|format| format.name))
         .map(str::to_owned);
-    let names = ROWS.iter().map(ToString::to_string).chain(of_others);
+    let names = ROWS.iter().map(ToString::to_string).chain(named);
     let names = names.collect::<Vec<_>>().join(", ");
     let words = format!("\nformats of other software, for encode, decode, error and snap: {names}\n");
     // A list has no columns to show: lines of a length that is easy to read, on any terminal.
     let wrapped = table::wrapped(&words, "    ", Some(columns.map_or(100, |columns| columns.min(100))));
     text + &wrapped + &table::left_out(&[&of_vectors, &of_frames, &of_rotations])
+}
+
+/// The columns of codecs of other elements than vectors, with these bounds.
+fn of_others(title: &'static str, bounds: &[(&'static str, usize)], columns: Option<usize>) -> Layout {
+    let mut all = vec![left(title, 20), right("bits", 4), right("bytes", 5)];
+    let bounds = bounds.iter().enumerate().map(|(at, (title, width))| match at {
+        0 => right(title, *width).apart(),
+        _ => right(title, *width),
+    });
+    all.extend(bounds);
+    all.extend([left("Vulkan format", 35).apart().rank(1), left("GLSL", 19).rank(2)]);
+    Layout::new(all, columns)
+}
+
+/// The line of a codec in [`of_others`].
+fn line_of_other(layout: &Layout, codec: &AnyCodec) -> String {
+    let bounds: Vec<String> = codec.max_errors_deg.iter().map(|bound| format!("{bound:.7}")).collect();
+    let (format, file) = (codec.vk_format.unwrap_or("-"), codec.glsl_file());
+    let mut cells: Vec<&dyn Display> = vec![&codec.id, &codec.bits, &codec.bytes];
+    cells.extend(bounds.iter().map(|bound| bound as &dyn Display));
+    cells.extend([&format as &dyn Display, &file]);
+    layout.line(&cells)
 }

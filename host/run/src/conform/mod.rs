@@ -308,7 +308,7 @@ impl<'a> Comparison<'a> {
         if measured {
             let floats = self.format.element.floats();
             let pairs = elements.chunks_exact(floats).zip(decoded.chunks_exact(floats));
-            pairs.for_each(|(original, decoded)| self.errors.add(original, decoded));
+            pairs.for_each(|(original, decoded)| self.errors.add(self.format.element, original, decoded));
         }
         Ok(())
     }
