@@ -52,7 +52,7 @@
 //! In the metric above, divided by E, a point x columns and r pairs of rows away has the squared distance
 //! `(x - s r)^2 + q r^2`, with `s = -F/E` and `q = (E G - F^2) / E^2`. So the nearest of a row is the one that is nearest
 //! along the row to the direction, moved by s times its distance from the row. Products of two linear factors stand for
-//! s and q. The chosen point can be farther off than the face's nearest by 8 % of the bound, where cells are small. This
+//! s and q. The chosen point can be farther off than the face's nearest by 10 % of the bound, where cells are small. This
 //! adds 1.1e-4 to the mean, as a part of it. Beside an edge the next face can have a nearer point; at 16 bits this adds
 //! 4e-4.
 //!
