@@ -42,7 +42,7 @@ fn edges_are_symmetric() {
 }
 
 /// The chosen point is the nearest of the face, or farther off by 10 % of the covering bound at most. Beside the edges, the
-/// other face can have a much nearer one. This adds to the mean 1e-4 of the bound at most; with the points over the edges,
+/// other face can have a much nearer one. This adds to the mean 1.2e-4 of the bound at most; with the points over the edges,
 /// 4e-4 at 16 bits.
 #[test]
 fn encodes_a_near_point() {
@@ -55,7 +55,11 @@ fn encodes_a_near_point() {
         let of_face = Summary::of(edges.chain(sphere(3, 200_000)).map(|v| off(v, hexcube::nearest)));
         let of_all = Summary::of(sphere(4, 200_000).map(|v| off(v, hexcube::nearest_of_all)));
         println!("{}: of the face {of_face:?}, of all {of_all:?}", codec.id);
-        assert!(of_face.max <= 0.1 + ROUNDING / radius && of_face.mean <= 1e-4, "{}: {of_face:?}", codec.id);
+        assert!(
+            of_face.max <= 0.1 + ROUNDING / radius && of_face.mean <= 1.2e-4,
+            "{}: {of_face:?}",
+            codec.id
+        );
         assert!(of_all.mean <= if bits == 16 { 4e-4 } else { 1e-4 }, "{}: {of_all:?}", codec.id);
     }
 }

@@ -23,7 +23,7 @@ pub fn find_lattice(bits: u32) -> Option<Lattice> {
     let (columns, rows, beyond) = match bits {
         16 => (96, 56, [0.08, 0.53]),
         24 => (1552, 900, [0.005, 0.5]),
-        32 => (24778, 14444, [0.01, 0.5]),
+        32 => (24778, 14444, [0.025, 0.5]),
         _ => return None,
     };
     Some(Lattice { columns, rows, edges: [columns as f64 + beyond[0], rows as f64 + beyond[1]] })

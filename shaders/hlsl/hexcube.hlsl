@@ -39,7 +39,7 @@ struct UnitvecHexcubeLattice {
 
 static const UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_16 = { 96, 56, 300.25, 176.65625 };
 static const UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_24 = { 1552, 900, 4850.015625, 2814.0625 };
-static const UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_32 = { 24778, 14444, 77431.28125, 45139.0625 };
+static const UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_32 = { 24778, 14444, 77431.328125, 45139.0625 };
 
 // Half columns in two rows, which have together as many points.
 int unitvec_hexcube_line(UnitvecHexcubeLattice lattice) {
@@ -101,7 +101,7 @@ float2 unitvec_hexcube_nearest(float2 p, float side, UnitvecHexcubeLattice latti
 // many before the middle.
 uint unitvec_hexcube_halves(float place, float coordinate, int first) {
     float from_first = UNITVEC_HEXCUBE_COUNTING_HALVES + 0.5 * float(first);
-    precise float sum = unitvec_with_sign(place, coordinate) + from_first;
+    precise float sum = unitvec_negate_if(unitvec_is_negative(coordinate), place) + from_first;
     return asuint(sum) & 0xffffu;
 }
 

@@ -36,7 +36,7 @@ struct UnitvecHexcubeLattice {
 
 const UNITVEC_HEXCUBE_LATTICE_16: UnitvecHexcubeLattice = UnitvecHexcubeLattice(96, 56, 300.25, 176.65625);
 const UNITVEC_HEXCUBE_LATTICE_24: UnitvecHexcubeLattice = UnitvecHexcubeLattice(1552, 900, 4850.015625, 2814.0625);
-const UNITVEC_HEXCUBE_LATTICE_32: UnitvecHexcubeLattice = UnitvecHexcubeLattice(24778, 14444, 77431.28125, 45139.0625);
+const UNITVEC_HEXCUBE_LATTICE_32: UnitvecHexcubeLattice = UnitvecHexcubeLattice(24778, 14444, 77431.328125, 45139.0625);
 
 // Half columns in two rows, which have together as many points.
 fn unitvec_hexcube_line(lattice: UnitvecHexcubeLattice) -> i32 {
@@ -98,7 +98,7 @@ fn unitvec_hexcube_nearest(p: vec2f, side: f32, lattice: UnitvecHexcubeLattice) 
 // many before the middle.
 fn unitvec_hexcube_halves(place: f32, coordinate: f32, first: i32) -> u32 {
     let from_first = UNITVEC_HEXCUBE_COUNTING_HALVES + 0.5 * f32(first);
-    let sum = unitvec_with_sign(place, coordinate) + from_first;
+    let sum = unitvec_negate_if(unitvec_is_negative(coordinate), place) + from_first;
     return bitcast<u32>(sum) & 0xffffu;
 }
 

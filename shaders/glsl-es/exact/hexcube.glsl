@@ -45,7 +45,7 @@ struct UnitvecHexcubeLattice {
 
 const UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_16 = UnitvecHexcubeLattice(96, 56, 300.25, 176.65625);
 const UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_24 = UnitvecHexcubeLattice(1552, 900, 4850.015625, 2814.0625);
-const UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_32 = UnitvecHexcubeLattice(24778, 14444, 77431.28125, 45139.0625);
+const UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_32 = UnitvecHexcubeLattice(24778, 14444, 77431.328125, 45139.0625);
 
 // Half columns in two rows, which have together as many points.
 int unitvec_hexcube_line(UnitvecHexcubeLattice lattice) {
@@ -109,7 +109,7 @@ vec2 unitvec_hexcube_nearest(vec2 p, float side, UnitvecHexcubeLattice lattice) 
 // many before the middle.
 uint unitvec_hexcube_halves(float place, float coordinate, int first) {
     float from_first = UNITVEC_HEXCUBE_COUNTING_HALVES + 0.5 * float(first);
-    float sum = min(unitvec_with_sign(place, coordinate) + from_first, UNITVEC_HUGE);
+    float sum = min(unitvec_negate_if(unitvec_is_negative(coordinate), place) + from_first, UNITVEC_HUGE);
     return floatBitsToUint(sum) & 0xffffu;
 }
 

@@ -42,7 +42,7 @@ struct UnitvecHexcubeLattice {
 
 constant UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_16 = { 96, 56, 300.25f, 176.65625f };
 constant UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_24 = { 1552, 900, 4850.015625f, 2814.0625f };
-constant UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_32 = { 24778, 14444, 77431.28125f, 45139.0625f };
+constant UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_32 = { 24778, 14444, 77431.328125f, 45139.0625f };
 
 // Half columns in two rows, which have together as many points.
 inline int unitvec_hexcube_line(UnitvecHexcubeLattice lattice) {
@@ -106,7 +106,7 @@ inline float2 unitvec_hexcube_nearest(float2 p, float side, UnitvecHexcubeLattic
 // many before the middle.
 inline uint unitvec_hexcube_halves(float place, float coordinate, int first) {
     float from_first = UNITVEC_HEXCUBE_COUNTING_HALVES + 0.5f * float(first);
-    float sum = min(unitvec_with_sign(place, coordinate) + from_first, UNITVEC_HUGE);
+    float sum = min(unitvec_negate_if(unitvec_is_negative(coordinate), place) + from_first, UNITVEC_HUGE);
     return as_type<uint>(sum) & 0xffffu;
 }
 

@@ -12,7 +12,7 @@
 //!
 //! A face's points stand in rows of equal v. The middle row has a point in the face's middle, and every other row is
 //! moved by half a column. Each direction has a near point on its own face, so that none of another face need be
-//! looked at: the edges u = -1 and 1 lie up to 1/200 of a column beyond the last points of every other row (1/25 at 16
+//! looked at: the edges u = -1 and 1 lie up to 1/80 of a column beyond the last points of every other row (1/25 at 16
 //! bits), the edges v = -1 and 1 lie about half a row beyond the last row. This takes a few points more than a lattice that
 //! goes on from face to face, which counts at 16 bits alone.
 //!
@@ -40,9 +40,9 @@
 //! Inside a face the encoder, as the next section describes it, finds three points equally near there: two neighbours in
 //! a row, and the point between them in the next row, for which `r = (s^2 + q - 1) / (4 q)` and `x = 1/2 + s r` from the
 //! first. On an edge u = 1 there are two, the ends of neighbouring rows; on an edge v = 1, two neighbours in a row.
-//! Distances in the metric follow from x and r. The largest are inside, at u and v of 0.37 to 0.48, at 24 and 32 bits.
+//! Distances in the metric follow from x and r. Inside, the largest are at u and v of 0.37 to 0.48, at 24 and 32 bits.
 //! They are 1.089 times the radius of the hexagons that would cover the sphere with as many cells as the bits have
-//! patterns, a bound that no code can beat; those on edges are up to 1.083 times. The mean is 1.011 times those hexagons'.
+//! patterns, a bound that no code can beat; those on edges are up to 1.089 times. The mean is 1.011 times those hexagons'.
 //! At 16 bits, where edges weigh more, the mean is 1.014 times, and the maximum, on the edges, 1.111 times.
 //! [`ico`](crate::ico) has 1.0035 and 1.0125, and costs about twice as much.
 //!
@@ -151,7 +151,7 @@ fn nearest(p: Vec2, side: f32, lattice: Lattice) -> Vec2 {
 fn halves(place: f32, coordinate: f32, first: i32) -> u32 {
     /// 1.5 2^22: its sums with numbers of up to 2^20 count in halves.
     const COUNTING_HALVES: f32 = 6_291_456.0;
-    (with_sign(place, coordinate) + (COUNTING_HALVES + 0.5 * first as f32)).to_bits() & mask(16)
+    (negate_if(is_negative(coordinate), place) + (COUNTING_HALVES + 0.5 * first as f32)).to_bits() & mask(16)
 }
 
 /// The code of the direction of `v`. Without a usable direction, all is computed and then dropped.
@@ -212,7 +212,7 @@ impl<const BITS: u32> HexCube<BITS> {
     const LATTICE: Lattice = match BITS {
         16 => Lattice { columns: 96, rows: 56, across: 300.25, along: 176.656_25 },
         24 => Lattice { columns: 1552, rows: 900, across: 4850.015_625, along: 2814.0625 },
-        32 => Lattice { columns: 24778, rows: 14444, across: 77_431.281_25, along: 45_139.0625 },
+        32 => Lattice { columns: 24778, rows: 14444, across: 77_431.328_125, along: 45_139.0625 },
         _ => panic!("no constants for this width"),
     };
 }
@@ -222,7 +222,7 @@ where
     Self: Width,
 {
     const BITS: u32 = BITS;
-    /// The largest error that the module's docs derive, 0.54675, 0.033486 and 0.0020939 degrees, and some rounding.
+    /// The largest error that the module's docs derive, 0.54675, 0.033486 and 0.0020943 degrees, and some rounding.
     const MAX_ERROR_DEG: f32 = match BITS {
         16 => 0.547,
         24 => 0.0336,
