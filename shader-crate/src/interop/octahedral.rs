@@ -290,15 +290,15 @@ impl<const IS_BYTES: bool, const POLE_X: bool> Fast<IS_BYTES, POLE_X> {
     }
 }
 
-impl<const IS_BYTES: bool, const POLE_X: bool> Coder for Fast<IS_BYTES, POLE_X> {
+impl<const IS_BYTES: bool, const POLE_X: bool> Coder<3> for Fast<IS_BYTES, POLE_X> {
     #[inline(always)]
     fn bytes(self) -> usize {
         if IS_BYTES { 3 } else { storage_bytes(2 * self.bits) }
     }
 
     #[inline(always)]
-    fn encode(self, v: Vec3) -> [u32; 2] {
-        let v = turned(v, POLE_X);
+    fn encode(self, v: [f32; 3]) -> [u32; 2] {
+        let v = turned(Vec3::from_array(v), POLE_X);
         let norm = l1_norm(v);
         let e = canonical(nearest(v, norm, self.largest, self.middle), self.largest, POLE_X);
         let (x, y) = (whole(e.x + self.offset) as u32, whole(e.y + self.offset) as u32);
@@ -307,11 +307,11 @@ impl<const IS_BYTES: bool, const POLE_X: bool> Coder for Fast<IS_BYTES, POLE_X> 
     }
 
     #[inline(always)]
-    fn decode(self, low: u32, _: u32) -> Vec3 {
+    fn decode(self, [low, _]: [u32; 2]) -> [f32; 3] {
         let [x, y] = if IS_BYTES { of_bytes(low) } else { pair(low, self.bits, self.sign) };
         let (x, y) = (x as f32 - self.offset, y as f32 - self.offset);
         let (x, y) = (min(max(x, -self.largest), self.largest), min(max(y, -self.largest), self.largest));
-        turned_back(from_lattice(Vec2::new(x, y), self.largest), POLE_X)
+        turned_back(from_lattice(Vec2::new(x, y), self.largest), POLE_X).to_array()
     }
 }
 
