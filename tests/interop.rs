@@ -61,6 +61,21 @@ fn no_code_is_nearer() {
     }
 }
 
+/// The codecs for GPUs write the codes of the formats that have their lattices, also on borders of cells.
+#[test]
+fn codecs_write_the_codes_of_formats() {
+    let pairs =
+        [("uoct16p", "nanite:8"), ("uoct20p", "nanite:10"), ("uoct24p", "cycles:12"), ("uoct32p", "godot4")];
+    for (codec, format) in pairs {
+        let (codec, format) = (find(codec).unwrap(), named(format));
+        let on_borders = sphere(54, 20_000).map(|v| (v * 8.0).round() / 8.0).filter(|v| *v != Vec3::ZERO);
+        for v in directions(55, 100_000).chain(on_borders) {
+            let [low, _] = codec.encode_one(v.to_array());
+            assert_eq!(format.encode(v), u64::from(low), "{format}: {v:?}");
+        }
+    }
+}
+
 /// No code of Unity's tetrahedra is nearer, on any face.
 #[test]
 fn no_code_on_another_face_is_nearer() {

@@ -6,8 +6,8 @@ use unitvec::codec::RawCode;
 use unitvec::interop::{Format, FrameFormat, RotationFormat};
 use unitvec::slice::machine::Level;
 use unitvec::slice::{
-    DecodeAt, EncodeAt, LengthMismatch, decode_frames, decode_rotations, decode_slice_at, encode_frames,
-    encode_rotations, encode_slice_at, encode_slice_with,
+    DecodeAt, EncodeAt, LengthMismatch, decode_frames_at, decode_rotations_at, decode_slice_at,
+    encode_frames_at, encode_rotations_at, encode_slice_at, encode_slice_with,
 };
 use unitvec::{Codec, Frame, FrameCodec, RotationCodec};
 
@@ -51,9 +51,9 @@ impl Functions<7> {
         Self {
             encode_one: |frame| F::encode(Frame::from_array(frame)).to_words(),
             decode_one: |code| F::decode(F::Code::from_words(code)).to_array(),
-            encode_at: |_, frames, codes| encode_frames::<F>(frames, codes),
-            decode_at: |_, codes, frames| decode_frames::<F>(codes, frames),
-            encode: |_, frames, codes| encode_frames::<F>(frames, codes),
+            encode_at: encode_frames_at::<F>,
+            decode_at: decode_frames_at::<F>,
+            encode: encode_frames_at::<F>,
         }
     }
 }
@@ -63,9 +63,9 @@ impl Functions<4> {
         Self {
             encode_one: |q| C::encode(q).to_words(),
             decode_one: |code| C::decode(C::Code::from_words(code)),
-            encode_at: |_, rotations, codes| encode_rotations::<C>(rotations, codes),
-            decode_at: |_, codes, rotations| decode_rotations::<C>(codes, rotations),
-            encode: |_, rotations, codes| encode_rotations::<C>(rotations, codes),
+            encode_at: encode_rotations_at::<C>,
+            decode_at: decode_rotations_at::<C>,
+            encode: encode_rotations_at::<C>,
         }
     }
 }

@@ -58,8 +58,9 @@
 //! A tangent frame is a rotation and a mirror image or none: [`frame`](crate::frame) stores that.
 
 use crate::arith::{
-    NEGLIGIBLE, coefficients, dot, floor, inverse_root, is_negative, mask, max, min, negate_if, quotient,
-    ratio, reciprocal, scale_to_one, signed_quotient, whole_to_u32, without_denormal, without_denormals,
+    Four, NEGLIGIBLE, coefficients, dot, floor, inverse_root, is_negative, mask, max, min, negate_if,
+    quotient, ratio, reciprocal, scale_to_one, signed_quotient, whole_to_u32, without_denormal,
+    without_denormals,
 };
 use crate::codec::{RawCode, Width, storage_bytes};
 use crate::direction::is_usable;
@@ -163,14 +164,14 @@ const fn half_steps(bits: u32) -> f32 {
 
 /// `q`, each component in the place of the one `by` places before, 0 to 3.
 #[inline(always)]
-fn turn(q: Vec4, by: u32) -> Vec4 {
-    let q = if (by & 1) != 0 { Vec4::new(q.y, q.z, q.w, q.x) } else { q };
-    if (by & 2) != 0 { Vec4::new(q.z, q.w, q.x, q.y) } else { q }
+fn turn(q: Four, by: u32) -> Four {
+    let q = if (by & 1) != 0 { Four::new(q.y, q.z, q.w, q.x) } else { q };
+    if (by & 2) != 0 { Four::new(q.z, q.w, q.x, q.y) } else { q }
 }
 
 /// The number of the component of largest magnitude; of equal ones the last, and then the first.
 #[inline(always)]
-fn chart_of(q: Vec4) -> u32 {
+fn chart_of(q: Four) -> u32 {
     let (chart, largest) = (3, q.w.abs());
     let (chart, largest) = if q.x.abs() > largest { (0, q.x.abs()) } else { (chart, largest) };
     let (chart, largest) = if q.y.abs() > largest { (1, q.y.abs()) } else { (chart, largest) };
@@ -180,10 +181,11 @@ fn chart_of(q: Vec4) -> u32 {
 /// `q`, scaled to a sum of magnitudes from 1 to 2, or the identity where it has no usable direction. Denormal components
 /// are 0, since devices may flush them.
 #[inline(always)]
-fn or_identity(q: Vec4) -> Vec4 {
+fn or_identity(q: Four) -> Four {
     let norm = (q.x.abs() + q.y.abs()) + (q.z.abs() + q.w.abs());
-    let scaled = without_denormals(q.truncate()).extend(without_denormal(q.w)) * scale_to_one(norm);
-    if is_usable(norm) { scaled } else { Vec4::W }
+    let scaled =
+        Four::from(without_denormals(q.truncate()).extend(without_denormal(q.w))) * scale_to_one(norm);
+    if is_usable(norm) { scaled } else { Four::W }
 }
 
 /// The square of the length, on the sphere, of a short way `e` from the point x of a chart, times `(1 + x . x)^2`.
@@ -284,7 +286,7 @@ where
     #[inline(always)]
     fn encode_vec4(q: Vec4) -> C {
         let (low, radix) = const { layout(BITS) };
-        let q = or_identity(q);
+        let q = or_identity(q.into());
         let chart = chart_of(q);
         let turned = turn(q, chart);
         let scale = negate_if(is_negative(turned.x), reciprocal(turned.x.abs()));
@@ -317,8 +319,8 @@ where
             min(whole as f32 - half + middle, half - middle)
         };
         let x = in_chart::<BITS>(Vec3::new(along(above, 0), along(above_b, low), along(above_c, 2 * low)));
-        let q = turn(Vec4::new(1.0, x.x, x.y, x.z), 4 - (of_chart >> 1));
+        let q = turn(Four::new(1.0, x.x, x.y, x.z), 4 - (of_chart >> 1));
         // After turning back, so that a point of two charts is the same from both.
-        q * inverse_root((q.x * q.x + q.y * q.y) + (q.z * q.z + q.w * q.w))
+        (q * inverse_root((q.x * q.x + q.y * q.y) + (q.z * q.z + q.w * q.w))).into()
     }
 }

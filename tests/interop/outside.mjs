@@ -197,6 +197,15 @@ function draco(bits, vectors) {
   if (bits === 8) check(decoded(format, packed(pairs(Int32Array, 0, 254))));
 }
 
+/** Codes as the filter's decoder leaves them. It takes compressed ones. */
+function filtered(codes, stride, filter) {
+  const count = codes.byteLength / stride;
+  const vertices = MeshoptEncoder.encodeVertexBuffer(as(Uint8Array, bytesOf(codes)), count, stride);
+  const result = new Uint8Array(codes.byteLength);
+  MeshoptDecoder.decodeGltfBuffer(result, count, stride, vertices, "ATTRIBUTES", filter);
+  return as(codes.constructor, result);
+}
+
 /** The filter's decoder rounds otherwise by 1, with SIMD or without. */
 function meshopt(name, bits, vectors) {
   const [format, original, largest] = [`${name}:${bits}`, named("meshoptimizer"), 2 ** (bits - 1) - 1];
@@ -206,12 +215,19 @@ function meshopt(name, bits, vectors) {
   const found = as(Type, encoded(format, vectors, "--plain"));
   compare(format, "encode", original, [vectors, found, codes], [3, 4], 0);
   const all = pairs(Type, -largest, largest, largest, 0);
-  const vertices = MeshoptEncoder.encodeVertexBuffer(as(Uint8Array, bytesOf(all)), all.length / 4, stride);
-  const filtered = new Uint8Array(all.byteLength);
-  MeshoptDecoder.decodeGltfBuffer(filtered, all.length / 4, stride, vertices, "ATTRIBUTES", "OCTAHEDRAL");
-  const expected = as(Type, filtered).filter((_, i) => i % 4 < 3);
+  const expected = filtered(all, stride, "OCTAHEDRAL").filter((_, i) => i % 4 < 3);
   const numbers = decoded(format, all).map((float) => Math.round(float * scale));
   compare(format, "decode", original, [all, numbers, expected], [4, 3], 1);
+}
+
+/** The same filter for rotations, and the codes that it writes. */
+function meshoptQuat(bits, rotations) {
+  const [format, original] = [`meshopt-quat:${bits}`, named("meshoptimizer")];
+  const codes = as(Int16Array, MeshoptEncoder.encodeFilterQuat(rotations, rotations.length / 4, 8, bits));
+  const found = as(Int16Array, encoded(format, rotations, "--plain"));
+  compare(format, "encode", original, [rotations, found, codes], [4, 4], 0);
+  const numbers = decoded(format, codes).map((float) => Math.round(float * 32767));
+  compare(format, "decode", original, [codes, numbers, filtered(codes, 8, "QUATERNION")], [4, 4], 1);
 }
 
 /** glTF's components, by a tool that quantises. One that does not normalise first may round otherwise by 1. */
@@ -391,6 +407,8 @@ for (const bits of [8, 16]) {
   await snorm(bits, vectors, "gltfpack", "gltfpack -vn", 0);
   await snorm(bits, vectors, "@gltf-transform/cli", "gltf-transform quantize --quantize-normal", 1);
 }
+const rotations = Array.from({ length: COUNT }, () => unit([0, 0, 0, 0].map(() => 2 * random() - 1)));
+for (const bits of [8, 12, 16]) meshoptQuat(bits, Float32Array.from(rotations.flat()));
 const mesh = await readMesh();
 for (const [name, command, format] of COMMANDS) await tool(name, command, format, mesh);
 

@@ -22,6 +22,8 @@ mod elementary;
 #[cfg(any(test, target_arch = "spirv"))]
 mod exact;
 mod face;
+#[cfg(not(target_arch = "spirv"))]
+mod four;
 mod half;
 mod pack;
 mod round;
@@ -39,6 +41,10 @@ pub(crate) use divide::{inverse_root_near, snorm_quotient};
 use elementary::sqrt;
 pub use elementary::{floor, max, min};
 pub use face::{face_of, from_face, to_face};
+#[cfg(not(target_arch = "spirv"))]
+pub(crate) use four::Four;
+#[cfg(target_arch = "spirv")]
+pub(crate) use glam::Vec4 as Four;
 pub use half::{HALF_MAX, HALF_ONE, half_decode, half_decode_magnitude, half_encode, half_encode_magnitude};
 pub(crate) use pack::signed_integer_field;
 pub use pack::{mask, nearest_code, nearest_pair, signed_code, signed_integer, signed_integer_at};

@@ -361,17 +361,17 @@ fn parted(code: u64) -> [u32; 2] {
 #[derive(Clone, Copy)]
 struct One(Format);
 
-impl Coder for One {
+impl Coder<3> for One {
     fn bytes(self) -> usize {
         self.0.bytes()
     }
 
-    fn encode(self, v: Vec3) -> [u32; 2] {
-        self.0.encode_words(v.to_array())
+    fn encode(self, v: [f32; 3]) -> [u32; 2] {
+        self.0.encode_words(v)
     }
 
-    fn decode(self, low: u32, high: u32) -> Vec3 {
-        Vec3::from_array(self.0.decode_words([low, high]))
+    fn decode(self, code: [u32; 2]) -> [f32; 3] {
+        self.0.decode_words(code)
     }
 }
 

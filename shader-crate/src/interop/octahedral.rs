@@ -1,10 +1,9 @@
 //! Octahedral lattices in the numberings and layouts of other software.
 
 use super::{around, nearest_of};
-use crate::arith::{ONE_AND_A_HALF_2_23, mask, max, min, with_sign};
+use crate::arith::{ONE_AND_A_HALF_2_23, SIGN_BIT, dot, flip_sign, is_negative, mask, max, min, over};
 use crate::codec::storage_bytes;
 use crate::direction::{is_usable, l1_norm};
-use crate::families::octahedral::nearest::nearest;
 use crate::slice::Coder;
 use crate::uoct::from_lattice;
 use glam::{Vec2, Vec3};
@@ -59,7 +58,12 @@ impl Lattice {
     pub(super) fn nearest_numbers(self, v: Vec3, bits: u32, pole_x: bool) -> [i32; 2] {
         let (m, half, offset) = self.sizes(bits);
         let v = turned(v, pole_x);
-        let e = canonical(nearest(v, l1_norm(v), m, half), m, pole_x);
+        let at = nearest(v, l1_norm(v), m, half);
+        // Of 2 bits, the nearest may be one beyond the square, which is the pole's opposite as well.
+        let at = if at.x + at.y == 2.0 * m { Vec2::splat(m) } else { at };
+        let e = signed(at, v, m, pole_x);
+        // Of the corners, which are one direction, that of code 0 may stand for no vector.
+        let e = if e == Vec2::splat(-m) { -e } else { e };
         [whole(e.x + offset), whole(e.y + offset)]
     }
 
@@ -71,10 +75,70 @@ impl Lattice {
     }
 }
 
+/// The magnitudes of the point of [`crate::families::octahedral::nearest::nearest`], by the same sums, so that the codes of
+/// formats are those of the codecs. Arranged for CPUs, where a selection of floats takes three instructions and one of masks or
+/// signs takes one. Lattice points are exact, in whatever order they are summed.
+#[inline(always)]
+fn nearest(v: Vec3, norm: f32, m: f32, half: f32) -> Vec2 {
+    let scale = over(m, norm);
+    let p = Vec3::new(v.x.abs() * scale, v.y.abs() * scale, v.z * scale);
+    let below = min(p.z, 0.0);
+    let (x, y) = (p.x - below, p.y - below);
+    let low = Vec2::new((x - half).trunc() + half, (y - half).trunc() + half);
+    let sum = low.x + low.y;
+    let z = (m - 1.0) - sum;
+    let length = dot(p, p);
+
+    let folded = min(z, 0.0);
+    let d = Vec3::new((low.x + folded) - p.x, (low.y + folded) - p.y, z - p.z);
+    let (square, part) = (dot(d, d), dot(d, p));
+    let right = beside(square + (2.0 * d.x + 1.0), part + p.x, length);
+    let up = beside(square + (2.0 * d.y + 1.0), part + p.y, length);
+
+    let is_far = x + y >= sum + 1.0;
+    let sign = if is_far { SIGN_BIT } else { 0 };
+    let moved = (f32::from(is_far) - folded) - max(flip_sign(-1.0, sign) - z, 0.0);
+    let square = square + 2.0 * ((moved * (d.x + d.y) + moved * moved) + flip_sign(d.z, sign)) + 1.0;
+    let part = part + moved * (p.x + p.y) + flip_sign(p.z, sign);
+    let at = beside(square, part, length);
+
+    let is_right = is_less(right, at);
+    let is_up = is_less(up, if is_right { right } else { at });
+    let (to_right, to_up) = ((is_right | is_far) & !is_up, (is_far & !is_right) | is_up);
+    Vec2::new(low.x + f32::from(to_right), low.y + f32::from(to_up))
+}
+
+/// The square of the tangent of a point's angle as a fraction: see [`nearest`].
+#[inline(always)]
+fn beside(square: f32, part: f32, length: f32) -> (f32, f32) {
+    let along = length + part;
+    (square * length - part * part, along * along)
+}
+
+#[inline(always)]
+fn is_less(a: (f32, f32), b: (f32, f32)) -> bool {
+    a.0 * b.1 < b.0 * a.1
+}
+
+/// The point with the signs of a direction's x and y. Of several points for one direction Draco writes: those of the square's
+/// border that have the sign of their side, and for all corners, which are the pole's opposite, (m, m).
+#[inline(always)]
+fn signed(at: Vec2, v: Vec3, m: f32, is_draco: bool) -> Vec2 {
+    let (left, down) = (is_negative(v.x), is_negative(v.y));
+    let (on_x, on_y) = (is_draco & (at.x == m), is_draco & (at.y == m));
+    let (differ, is_inner) = (left ^ down, !(on_x & on_y));
+    let (left, down) = ((left ^ (differ & on_y)) & is_inner, (down ^ (differ & on_x)) & is_inner);
+    let negated = |is: bool, x: f32| flip_sign(x, if is { SIGN_BIT } else { 0 });
+    Vec2::new(negated(left, at.x), negated(down, at.y))
+}
+
+/// 1.5 2^22: its sums with numbers of at most 2^21 have 1/2 as their last place.
+const HALVES: f32 = 0.5 * ONE_AND_A_HALF_2_23;
+
 /// A whole number as an integer.
 #[inline(always)]
 fn whole(x: f32) -> i32 {
-    (x + ONE_AND_A_HALF_2_23).to_bits().wrapping_sub(ONE_AND_A_HALF_2_23.to_bits()) as i32
+    (x + HALVES).to_bits().wrapping_sub(HALVES.to_bits()) as i32 >> 1
 }
 
 /// The components with the pole last: Draco's is x, and its plane is (y, z).
@@ -86,19 +150,6 @@ fn turned(v: Vec3, pole_x: bool) -> Vec3 {
 #[inline(always)]
 fn turned_back(v: Vec3, pole_x: bool) -> Vec3 {
     if pole_x { Vec3::new(v.z, v.x, v.y) } else { v }
-}
-
-/// The point that Draco writes, of several for one direction: those of the square's border have the sign of their side, and
-/// all corners, which are the pole's opposite, become (m, m). With other formats only that one of code 0 does, which may stand
-/// for no vector.
-#[inline(always)]
-fn canonical(e: Vec2, m: f32, is_draco: bool) -> Vec2 {
-    if !is_draco {
-        return if e.x + e.y == -2.0 * m { Vec2::splat(m) } else { e };
-    }
-    let x = if e.y.abs() == m { with_sign(e.x.abs(), e.y) } else { e.x };
-    let y = if e.x.abs() == m { with_sign(e.y.abs(), e.x) } else { e.y };
-    if x.abs() + y.abs() == 2.0 * m { Vec2::splat(m) } else { Vec2::new(x, y) }
 }
 
 /// The place of the numbers in a code.
@@ -205,7 +256,7 @@ fn pair_code(x: u32, y: u32, bits: u32) -> u32 {
 /// The code of [`Layout::Bytes888`].
 #[inline(always)]
 fn bytes_code(x: u32, y: u32) -> u32 {
-    (x & 255) | (y & 255) << 8 | (x >> 8 & 15) << 16 | (y >> 8 & 15) << 20
+    (x & 255 | (x & 0xf00) << 8) | (y & 255 | (y & 0xf00) << 4) << 8
 }
 
 /// The reverse of [`bytes_code`].
@@ -270,7 +321,7 @@ pub(super) fn searched(v: Vec3, lattice: Lattice, layout: Layout, pole_x: bool, 
     nearest_of(v, codes, |code| layout.decode(*code, lattice, pole_x, bits)).unwrap_or_default()
 }
 
-/// An octahedral format as a coder of slices: of pairs, or with `IS_BYTES` of [`Layout::Bytes888`].
+/// An octahedral format of 3 bits or more as a coder of slices: of pairs, or with `IS_BYTES` of [`Layout::Bytes888`].
 #[derive(Clone, Copy)]
 pub(super) struct Fast<const IS_BYTES: bool, const POLE_X: bool> {
     bits: u32,
@@ -279,39 +330,58 @@ pub(super) struct Fast<const IS_BYTES: bool, const POLE_X: bool> {
     middle: f32,
     offset: f32,
     code_of_z: u32,
+    /// The code of the corner (-m, -m), and what turns it into that of (m, m).
+    corner: u32,
+    to_other: u32,
 }
 
 impl<const IS_BYTES: bool, const POLE_X: bool> Fast<IS_BYTES, POLE_X> {
     pub(super) fn new(lattice: Lattice, bits: u32) -> Self {
         let (largest, middle, offset) = lattice.sizes(bits);
         let layout = if IS_BYTES { Layout::Bytes888 } else { Layout::Pair };
+        let code = |number: f32| layout.code([whole(number); 2], bits)[0];
         let [code_of_z, _] = layout.code(lattice.nearest_numbers(Vec3::Z, bits, POLE_X), bits);
-        Self { bits, sign: lattice.sign(bits), largest, middle, offset, code_of_z }
+        let (corner, other) = (code(offset - largest), code(offset + largest));
+        Self {
+            bits,
+            sign: lattice.sign(bits),
+            largest,
+            middle,
+            offset,
+            code_of_z,
+            corner,
+            to_other: corner ^ other,
+        }
     }
 }
 
-impl<const IS_BYTES: bool, const POLE_X: bool> Coder for Fast<IS_BYTES, POLE_X> {
+impl<const IS_BYTES: bool, const POLE_X: bool> Coder<3> for Fast<IS_BYTES, POLE_X> {
     #[inline(always)]
     fn bytes(self) -> usize {
         if IS_BYTES { 3 } else { storage_bytes(2 * self.bits) }
     }
 
     #[inline(always)]
-    fn encode(self, v: Vec3) -> [u32; 2] {
-        let v = turned(v, POLE_X);
+    fn encode(self, v: [f32; 3]) -> [u32; 2] {
+        let v = turned(Vec3::from_array(v), POLE_X);
         let norm = l1_norm(v);
-        let e = canonical(nearest(v, norm, self.largest, self.middle), self.largest, POLE_X);
-        let (x, y) = (whole(e.x + self.offset) as u32, whole(e.y + self.offset) as u32);
+        let m = self.largest;
+        let middle = if POLE_X { 0.0 } else { self.middle };
+        let e = signed(nearest(v, norm, m, middle), v, m, POLE_X);
+        // The sum of halves of steps is exact; the number is above its last bit.
+        let number = self.offset + HALVES;
+        let (x, y) = ((e.x + number).to_bits() >> 1, (e.y + number).to_bits() >> 1);
         let code = if IS_BYTES { bytes_code(x, y) } else { pair_code(x, y, self.bits) };
+        let code = code ^ if !POLE_X && code == self.corner { self.to_other } else { 0 };
         [if is_usable(norm) { code } else { self.code_of_z }, 0]
     }
 
     #[inline(always)]
-    fn decode(self, low: u32, _: u32) -> Vec3 {
+    fn decode(self, [low, _]: [u32; 2]) -> [f32; 3] {
         let [x, y] = if IS_BYTES { of_bytes(low) } else { pair(low, self.bits, self.sign) };
         let (x, y) = (x as f32 - self.offset, y as f32 - self.offset);
         let (x, y) = (min(max(x, -self.largest), self.largest), min(max(y, -self.largest), self.largest));
-        turned_back(from_lattice(Vec2::new(x, y), self.largest), POLE_X)
+        turned_back(from_lattice(Vec2::new(x, y), self.largest), POLE_X).to_array()
     }
 }
 
@@ -319,17 +389,17 @@ impl<const IS_BYTES: bool, const POLE_X: bool> Coder for Fast<IS_BYTES, POLE_X> 
 macro_rules! with_lattice {
     ($format:expr, $is_wanted:expr, $coder:ident => $fast:expr, $other:expr) => {{
         use octahedral::{Fast, Layout};
-        let bits = $format.bits;
+        let (bits, is_wanted) = ($format.bits, $is_wanted && $format.bits > 2);
         match $format.row.mapping {
-            Mapping::Octahedral { lattice, layout: Layout::Pair, pole_x: false, .. } if $is_wanted => {
+            Mapping::Octahedral { lattice, layout: Layout::Pair, pole_x: false, .. } if is_wanted => {
                 let $coder = Fast::<false, false>::new(lattice, bits);
                 $fast
             }
-            Mapping::Octahedral { lattice, layout: Layout::Pair, pole_x: true, .. } if $is_wanted => {
+            Mapping::Octahedral { lattice, layout: Layout::Pair, pole_x: true, .. } if is_wanted => {
                 let $coder = Fast::<false, true>::new(lattice, bits);
                 $fast
             }
-            Mapping::Octahedral { lattice, layout: Layout::Bytes888, .. } if $is_wanted => {
+            Mapping::Octahedral { lattice, layout: Layout::Bytes888, .. } if is_wanted => {
                 let $coder = Fast::<true, false>::new(lattice, bits);
                 $fast
             }

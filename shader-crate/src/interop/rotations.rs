@@ -308,14 +308,18 @@ fn distance(a: [f64; 4], b: [f32; 4]) -> f64 {
 
 /// The points whose components are whole numbers of these ranges.
 fn points<const N: usize>(ranges: [[f64; 2]; N]) -> impl Iterator<Item = [i32; N]> {
-    let ranges = ranges.map(|[from, to]| [from.ceil() as i32, to.floor() as i32 + 1]);
-    let count = ranges.iter().map(|[from, to]| (to - from).max(0)).product();
-    (0..count).map(move |mut rest: i32| {
-        ranges.map(|[from, to]| {
-            let number = from + rest % (to - from);
-            rest /= to - from;
-            number
-        })
+    let ranges = ranges.map(|[from, to]| [from.ceil() as i32, to.floor() as i32]);
+    let first = ranges.iter().all(|[from, to]| from <= to).then_some(ranges.map(|[from, _]| from));
+    core::iter::successors(first, move |point| {
+        let mut point = *point;
+        for (number, [from, to]) in point.iter_mut().zip(ranges) {
+            if *number < to {
+                *number += 1;
+                return Some(point);
+            }
+            *number = from;
+        }
+        None
     })
 }
 
@@ -485,18 +489,34 @@ impl Three {
 
     /// The nearest code of a chart whose numbers are within reach, in steps, or the best so far: distances and codes.
     fn best(self, q: [f64; 4], chart: usize, reach: f64, bits: u32, mut best: (f64, u64)) -> (f64, u64) {
-        let (most, middle) = self.lattice.sizes(bits);
-        let ranges = self.others(chart).map(|i| {
-            let place = q[i] / self.step(bits);
+        let ((most, middle), step, tolerance) =
+            (self.lattice.sizes(bits), self.step(bits), self.tolerance(bits));
+        let others = self.others(chart);
+        // What meshoptimizer's f32 adds to the fourth component, or the rounding of places.
+        let slack = if self.layout == Layout::Lanes { 3e-6 } else { 1e-6 * step };
+        let ranges = others.map(|i| {
+            let place = q[i] / step;
             let [from, to] = [(place - reach).max(-most), (place + reach).min(most)];
             [from + middle, to + middle]
         });
         for point in points(ranges) {
+            let number = |k: usize| (f64::from(point[k]) - middle) * step;
+            let (square, length_squared) = (0..3).fold((0.0, 0.0), |(square, length), k| {
+                let off = number(k) - q[others[k]];
+                (square + off * off, length + number(k) * number(k))
+            });
+            // What is decoded is off the point by the tolerance, and q off the point by its three components at least. With
+            // the fourth: `(rest - q_c)^2 > room`, squared once more to have no root; decoders in f32 lose it where it is small.
+            let farthest = best.0 + tolerance + slack;
+            let (room, rest) = (farthest * farthest - square, (1.0 - length_squared).max(0.0));
+            let (least, upright) = (rest + q[chart] * q[chart] - room, q[chart].max(0.0));
+            if room < 0.0 || rest > 0.01 && least > 0.0 && least * least > 4.0 * upright * upright * rest {
+                continue;
+            }
             let code = self.code(chart, point.map(|number| self.lattice.bits_of(number, bits)), bits);
             let decoded = self.decode(code, bits);
             let off = distance(q, decoded);
-            let is_unit = (length(decoded.map(f64::from)) - 1.0).abs() <= self.tolerance(bits);
-            if is_unit && off < best.0 {
+            if off < best.0 && (length(decoded.map(f64::from)) - 1.0).abs() <= tolerance {
                 best = (off, code);
             }
         }
@@ -582,34 +602,71 @@ fn four(q: [f32; 4], bits: u32, is_plain: bool) -> [i32; 4] {
         return plain;
     }
     let q = unit(q);
-    let (off, rounded) = valid_beside(q, 0.5, bits, (f64::INFINITY, plain));
+    let (most, axis) = (largest_number(bits), largest(q, &[0, 1, 2, 3]));
+    let (off, rounded) = valid_rounded(q, axis, most).unwrap_or((f64::INFINITY, plain));
     // Slices are inclined to the ray: in its slice, a point as far from the ray is farther from the ray's.
-    let size = q[largest(q, &[0, 1, 2, 3])].abs();
-    let reach = (off * largest_number(bits) * (1.0 + VALID)).min(1.5) / size;
+    let reach = (off * most * (1.0 + VALID)).min(1.5) / q[axis].abs();
     // Up to half a step, rounding has found it.
-    if reach > 0.5 { valid_beside(q, reach, bits, (off, rounded)).1 } else { rounded }
+    if reach > 0.5 { valid_beside(q, axis, most, reach, (off, rounded)) } else { rounded }
 }
 
-/// The nearest valid point of all within reach of the ray in each slice, or the best so far. The points of a slice have
-/// the same number for the largest component.
-fn valid_beside(q: [f64; 4], reach: f64, bits: u32, mut best: (f64, [i32; 4])) -> (f64, [i32; 4]) {
-    let (most, axis) = (largest_number(bits), largest(q, &[0, 1, 2, 3]));
-    let is_valid = |point: &[i32; 4]| {
-        let length = length(point.map(f64::from));
-        (length / most - 1.0).abs() < VALID && point.iter().all(|c| f64::from(c.abs()) <= most)
-    };
-    let size = q[axis].abs();
+/// True for a point that the validator takes for a unit quaternion.
+fn is_valid(point: [i32; 4], most: f64) -> bool {
+    let length = length(point.map(f64::from));
+    (length / most - 1.0).abs() < VALID && point.iter().all(|c| f64::from(c.abs()) <= most)
+}
+
+/// The slices with valid points within reach of the ray, whose largest component is `size`. The points of a slice have the
+/// same number for the largest component.
+fn slices(size: f64, most: f64, reach: f64) -> core::ops::RangeInclusive<i32> {
     let [from, to] = [-VALID, VALID].map(|off| size * (most * (1.0 + off) + reach * off.signum()));
-    for slice in from.max(1.0) as i32..=to as i32 {
-        let ray = q.map(|c| c / size * f64::from(slice));
+    from.max(1.0) as i32..=to as i32
+}
+
+/// The nearest valid point of those that rounding gives in each slice, and its distance.
+fn valid_rounded(q: [f64; 4], axis: usize, most: f64) -> Option<(f64, [i32; 4])> {
+    /// A sum with it is rounded to a whole number.
+    const WHOLE: f64 = 1.5 * (1u64 << 52) as f64;
+    const SLICES: usize = 8;
+    let others = [1, 2, 3].map(|i| q[(axis + i) & 3]);
+    let (size, slices, mut best) = (q[axis].abs(), slices(q[axis].abs(), most, 0.5), None);
+    let (mut nearest, by_size) = (f64::INFINITY, 1.0 / size);
+    let slopes = others.map(|c| c * by_size);
+    // The squared tangents of several slices at a time, in registers of the CPU.
+    for first in slices.clone().step_by(SLICES) {
+        let mut squares = [0.0; SLICES];
+        for (i, square) in squares.iter_mut().enumerate() {
+            let slice = f64::from(first + i as i32);
+            let off = slopes.map(|slope| slope * slice - ((slope * slice + WHOLE) - WHOLE));
+            let inward = off[0] * others[0] + off[1] * others[1] + off[2] * others[2];
+            let across = off[0] * off[0] + off[1] * off[1] + off[2] * off[2] - inward * inward;
+            let along = slice * by_size - inward;
+            *square = across / (along * along);
+        }
+        for (slice, square) in (first..=*slices.end()).zip(squares) {
+            if square < nearest {
+                let point = q.map(|c| (c / size * f64::from(slice)).round_ties_even() as i32);
+                if is_valid(point, most) {
+                    (nearest, best) = (square, Some(point));
+                }
+            }
+        }
+    }
+    best.map(|point| (nearest.max(0.0).sqrt(), point))
+}
+
+/// The nearest valid point of all within reach of the ray in each slice, or the best so far.
+fn valid_beside(q: [f64; 4], axis: usize, most: f64, reach: f64, mut best: (f64, [i32; 4])) -> [i32; 4] {
+    for slice in slices(q[axis].abs(), most, reach) {
+        let ray = q.map(|c| c / q[axis].abs() * f64::from(slice));
         let mut ranges = ray.map(|t| [t - reach, t + reach]);
         ranges[axis] = [ray[axis].round(); 2];
-        for point in points(ranges).filter(is_valid) {
+        for point in points(ranges).filter(|point| is_valid(*point, most)) {
             let off = distance(q, point.map(|c| c as f32));
             if off < best.0 {
                 best = (off, point);
             }
         }
     }
-    best
+    best.1
 }

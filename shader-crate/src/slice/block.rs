@@ -1,24 +1,25 @@
-//! A block of vectors and of codes, turned so that the compiler makes vector instructions of the loops over it: an
-//! array for each component, and for each word of a code.
+//! A block of elements and of codes, turned so that the compiler makes vector instructions of the loops over it: an
+//! array for each float of an element, and for each word of a code.
 //!
-//! The loops over whole blocks are compiled apart from those over the last vectors of a slice: where the number is
+//! The loops over whole blocks are compiled apart from those over the last elements of a slice: where the number is
 //! known, they are a fifth faster. No closures here: they are not inlined always, and functions that are not inlined do
 //! not get the instructions of the [`Level`](super::machine::Level). No iterators either: in a build without
 //! optimisation they cost more than a codec.
 
-use super::Vector;
 use super::machine::{as_chunks, as_chunks_mut};
 use super::stored::{Stored, with_size};
 use crate::arith::snorm_code;
 use crate::codec::{Codec, RawCode};
+use crate::frame::{Frame, FrameCodec};
+use crate::quat::RotationCodec;
 use core::marker::PhantomData;
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 
-/// Vectors of a block: enough for the loops to stay loops, few enough for the arrays to stay in the nearest cache.
+/// Elements of a block: enough for the loops to stay loops, few enough for the arrays to stay in the nearest cache.
 pub const BLOCK: usize = 64;
 
-/// Vectors that are encoded or decoded at a time: the last block may have fewer. The number is fixed, so that each codec
-/// is compiled without a second loop, of single vectors, for the rest.
+/// Elements that are encoded or decoded at a time: the last block may have fewer. The number is fixed, so that each codec
+/// is compiled without a second loop, of single elements, for the rest.
 const GROUP: usize = 32;
 
 /// Does this for each index below `$end`, of at most [`BLOCK`].
@@ -32,57 +33,84 @@ macro_rules! each {
     };
 }
 
-/// What encodes and decodes: a codec, or a value that stands for a format. Its functions are always inlined.
-pub trait Coder: Copy {
+/// What encodes and decodes elements of `N` floats: a codec, or a value that stands for a format. Its functions are always
+/// inlined.
+pub trait Coder<const N: usize>: Copy {
     /// Bytes of a stored code.
     fn bytes(self) -> usize;
-    /// The code of a vector: the low and the high word.
-    fn encode(self, v: Vec3) -> [u32; 2];
-    /// The vector of a code.
-    fn decode(self, low: u32, high: u32) -> Vec3;
+    /// The code of an element: the low and the high word.
+    fn encode(self, element: [f32; N]) -> [u32; 2];
+    /// The element of a code.
+    fn decode(self, code: [u32; 2]) -> [f32; N];
 }
 
-impl<C: Codec> Coder for PhantomData<C> {
-    #[inline(always)]
-    fn bytes(self) -> usize {
-        C::BYTES
-    }
+/// Implements [`Coder`] for a kind of codec.
+macro_rules! coder {
+    ($codec:ident of $floats:literal floats: $element:ident => $encode:expr, $code:ident => $decode:expr) => {
+        impl<C: $codec> Coder<$floats> for PhantomData<C> {
+            #[inline(always)]
+            fn bytes(self) -> usize {
+                C::BYTES
+            }
 
-    #[inline(always)]
-    fn encode(self, v: Vec3) -> [u32; 2] {
-        C::encode_vec3(v).to_words()
-    }
+            #[inline(always)]
+            fn encode(self, $element: [f32; $floats]) -> [u32; 2] {
+                $encode.to_words()
+            }
 
-    #[inline(always)]
-    fn decode(self, low: u32, high: u32) -> Vec3 {
-        C::decode_vec3(C::Code::from_low_high(low, high))
-    }
+            #[inline(always)]
+            fn decode(self, [low, high]: [u32; 2]) -> [f32; $floats] {
+                let $code = C::Code::from_low_high(low, high);
+                $decode.to_array()
+            }
+        }
+    };
 }
 
-/// At most [`BLOCK`] vectors by components, and codes by words.
-pub struct Block {
-    x: [f32; BLOCK],
-    y: [f32; BLOCK],
-    z: [f32; BLOCK],
+coder!(Codec of 3 floats: v => C::encode_vec3(Vec3::from_array(v)), code => C::decode_vec3(code));
+coder!(RotationCodec of 4 floats: q => C::encode_vec4(Vec4::from_array(q)), code => C::decode_vec4(code));
+coder!(FrameCodec of 7 floats: frame => C::encode(Frame::from_array(frame)), code => C::decode(code));
+
+/// At most [`BLOCK`] elements by floats, and codes by words.
+pub struct Block<const N: usize> {
+    floats: [[f32; BLOCK]; N],
     low: [u32; BLOCK],
     high: [u32; BLOCK],
 }
 
-impl Block {
+impl<const N: usize> Block<N> {
     #[inline(always)]
     pub fn new() -> Self {
-        Self { x: [0.0; BLOCK], y: [0.0; BLOCK], z: [0.0; BLOCK], low: [0; BLOCK], high: [0; BLOCK] }
+        Self { floats: [[0.0; BLOCK]; N], low: [0; BLOCK], high: [0; BLOCK] }
     }
 
-    /// Encodes the first `count` vectors, and some more that do no harm.
     #[inline(always)]
-    pub fn encode(&mut self, coder: impl Coder, count: usize) {
+    fn element(&self, i: usize) -> [f32; N] {
+        let mut element = [0.0; N];
+        let mut k = 0;
+        while k < N {
+            element[k] = self.floats[k][i];
+            k += 1;
+        }
+        element
+    }
+
+    #[inline(always)]
+    fn set_element(&mut self, i: usize, element: [f32; N]) {
+        let mut k = 0;
+        while k < N {
+            self.floats[k][i] = element[k];
+            k += 1;
+        }
+    }
+
+    /// Encodes the first `count` elements, and some more that do no harm.
+    #[inline(always)]
+    pub fn encode(&mut self, coder: impl Coder<N>, count: usize) {
         let mut start = 0;
         while start < count && start < BLOCK {
             each!(i in start, start + GROUP => {
-                let code = coder.encode(Vec3::new(self.x[i], self.y[i], self.z[i]));
-                self.low[i] = code[0];
-                self.high[i] = code[1];
+                [self.low[i], self.high[i]] = coder.encode(self.element(i));
             });
             start += GROUP;
         }
@@ -90,38 +118,35 @@ impl Block {
 
     /// Decodes the first `count` codes, and some more that do no harm.
     #[inline(always)]
-    pub fn decode(&mut self, coder: impl Coder, count: usize) {
+    pub fn decode(&mut self, coder: impl Coder<N>, count: usize) {
         let mut start = 0;
         while start < count && start < BLOCK {
             each!(i in start, start + GROUP => {
-                let v = coder.decode(self.low[i], self.high[i]);
-                self.x[i] = v.x;
-                self.y[i] = v.y;
-                self.z[i] = v.z;
+                self.set_element(i, coder.decode([self.low[i], self.high[i]]));
             });
             start += GROUP;
         }
     }
 
-    /// Takes these vectors.
+    /// Takes these elements.
     #[inline(always)]
-    pub fn load_vectors(&mut self, vectors: &[impl Vector]) {
-        each!(i in 0, vectors.len() => {
-            [self.x[i], self.y[i], self.z[i]] = vectors[i].into();
+    pub fn load_elements(&mut self, elements: &[impl Copy + Into<[f32; N]>]) {
+        each!(i in 0, elements.len() => {
+            self.set_element(i, elements[i].into());
         });
     }
 
-    /// Fills `to` with the vectors.
+    /// Fills `to` with the elements.
     #[inline(always)]
-    pub fn store_vectors<T: Target<V>, V>(&self, to: &mut [V]) {
+    pub fn store_elements<T: Target<E, N>, E>(&self, to: &mut [E]) {
         each!(i in 0, to.len() => {
-            to[i] = T::vector(Vec3::new(self.x[i], self.y[i], self.z[i]));
+            to[i] = T::element(self.element(i));
         });
     }
 
     /// Takes the codes in these bytes.
     #[inline(always)]
-    pub fn load_codes(&mut self, coder: impl Coder, codes: &[u8]) {
+    pub fn load_codes(&mut self, coder: impl Coder<N>, codes: &[u8]) {
         if coder.bytes() == 3 {
             return self.load_codes_of_3(codes);
         }
@@ -130,7 +155,7 @@ impl Block {
 
     /// Fills `codes` with the codes' bytes.
     #[inline(always)]
-    pub fn store_codes(&self, coder: impl Coder, codes: &mut [u8]) {
+    pub fn store_codes(&self, coder: impl Coder<N>, codes: &mut [u8]) {
         if coder.bytes() == 3 {
             return self.store_codes_of_3(codes);
         }
@@ -194,29 +219,29 @@ impl Block {
     }
 }
 
-/// A type of vectors, `V`, that codes are decoded to.
-pub trait Target<V> {
-    /// The vector as this type.
-    fn vector(v: Vec3) -> V;
+/// A type of elements, `E`, that codes are decoded to.
+pub trait Target<E, const N: usize> {
+    /// The element as this type.
+    fn element(floats: [f32; N]) -> E;
 }
 
-/// Vectors as they are.
+/// Elements as they are.
 pub struct Floats;
 
-impl<V: Vector> Target<V> for Floats {
+impl<E: From<[f32; N]>, const N: usize> Target<E, N> for Floats {
     #[inline(always)]
-    fn vector(v: Vec3) -> V {
-        v.to_array().into()
+    fn element(floats: [f32; N]) -> E {
+        floats.into()
     }
 }
 
 /// Snorm of 16 bits and 0.
 pub struct Snorms;
 
-impl Target<[i16; 4]> for Snorms {
+impl Target<[i16; 4], 3> for Snorms {
     #[inline(always)]
-    fn vector(v: Vec3) -> [i16; 4] {
-        [snorm_code(v.x, 16) as i16, snorm_code(v.y, 16) as i16, snorm_code(v.z, 16) as i16, 0]
+    fn element([x, y, z]: [f32; 3]) -> [i16; 4] {
+        [snorm_code(x, 16) as i16, snorm_code(y, 16) as i16, snorm_code(z, 16) as i16, 0]
     }
 }
 

@@ -8,7 +8,9 @@
 //! * Vectors are those of any library: see [`Vector`].
 //! * Codes may be integers: see [`encode_codes`]. To give other functions a slice of integers, see it as bytes, with
 //!   `bytemuck::cast_slice_mut(&mut codes)`.
-//! * Vectors and codes may lie among the other fields of vertices: see [`encode_strided`].
+//! * Vectors and codes may lie among the other fields of vertices: see [`encode_strided`]. Cheap codecs, such as `oct32`, are
+//!   decoded sooner by a loop of your own over the structs: gathering codes and scattering vectors then costs more than the
+//!   CPU's vector instructions save.
 //! * Frames and rotations have functions of their own: [`encode_frames`], [`encode_rotations`].
 //! * Slice functions are generic: they are compiled at the `opt-level` of the crate that calls them with a named codec.
 //!   The `opt-level` of `unitvec` chooses the loop: at 0, the development profile's, one vector at a time, else blocks.
@@ -44,7 +46,6 @@ pub(crate) use block::Coder;
 use block::{BLOCK, Block, Floats, Snorms, Target};
 use core::fmt;
 use core::marker::PhantomData;
-use glam::Vec3;
 use machine::{Level, Task, as_chunks, as_chunks_mut, prefetch};
 pub use stored::Stored;
 use stored::with_size;
@@ -52,11 +53,20 @@ use stored::with_size;
 pub use coded::{decode_codes, encode_codes};
 pub use elements::{
     AnyFrame, AnyRotation, decode_frames, decode_frames_strided, decode_rotations, decode_rotations_strided,
-    encode_frames, encode_frames_strided, encode_rotations, encode_rotations_strided,
+    decode_slice, decode_strided, encode_frames, encode_frames_strided, encode_rotations,
+    encode_rotations_strided, encode_slice, encode_strided,
+};
+#[doc(hidden)]
+pub use elements::{
+    decode_frames_at, decode_rotations_at, decode_slice_at, encode_frames_at, encode_rotations_at,
+    encode_slice_at,
 };
 #[cfg(feature = "rayon")]
-pub use elements::{par_decode_frames, par_decode_rotations, par_encode_frames, par_encode_rotations};
-pub use strided::{Side, StrideError, Strided, decode_strided, encode_strided};
+pub use elements::{
+    par_decode_frames, par_decode_rotations, par_decode_slice, par_encode_frames, par_encode_rotations,
+    par_encode_slice,
+};
+pub use strided::{Side, StrideError, Strided};
 #[doc(hidden)]
 pub use strided::{decode_strided_with, encode_strided_with};
 
@@ -103,14 +113,6 @@ pub trait Vector: Copy + Send + Sync + From<[f32; 3]> + Into<[f32; 3]> {}
 
 impl<V: Copy + Send + Sync + From<[f32; 3]> + Into<[f32; 3]>> Vector for V {}
 
-/// Encodes `vectors` into `codes`: [`Codec::BYTES`] little-endian bytes each, without gaps.
-///
-/// # Errors
-/// [`LengthMismatch`] unless `codes` has exactly `vectors.len() * C::BYTES` bytes. Nothing is written then.
-pub fn encode_slice<C: Codec>(vectors: &[impl Vector], codes: &mut [u8]) -> Result<(), LengthMismatch> {
-    encode_slice_at::<C>(Level::best(), vectors, codes)
-}
-
 /// [`encode_slice`] with another encoder of the same format, such as one by table. One vector at a time.
 ///
 /// # Errors
@@ -156,14 +158,6 @@ pub(crate) fn load_each<T>(
     Ok(())
 }
 
-/// Decodes `codes`, packed as by [`encode_slice`], into `vectors`.
-///
-/// # Errors
-/// [`LengthMismatch`] unless `codes` has exactly `vectors.len() * C::BYTES` bytes. Nothing is written then.
-pub fn decode_slice<C: Codec>(codes: &[u8], vectors: &mut [impl Vector]) -> Result<(), LengthMismatch> {
-    decode_slice_at::<C>(Level::best(), codes, vectors)
-}
-
 /// Decodes `codes`, packed as by [`encode_slice`], into x, y and z as snorm of 16 bits and a fourth component of 0: a
 /// VK_FORMAT_R16G16B16A16_SNORM, two thirds of the memory of floats. The components are those that [`decode_slice`]
 /// gives, as [`snorm_encode`](crate::arith::snorm_encode) writes them.
@@ -174,69 +168,27 @@ pub fn decode_slice_i16x4<C: Codec>(codes: &[u8], vectors: &mut [[i16; 4]]) -> R
     decode_slice_i16x4_at::<C>(Level::best(), codes, vectors)
 }
 
-/// Encodes as [`encode_slice`] does, with the same bits, in rayon's current thread pool; up to 16,384 vectors on the
-/// calling thread.
-///
-/// # Errors
-/// The errors of [`encode_slice`].
-#[cfg(feature = "rayon")]
-pub fn par_encode_slice<C: Codec>(vectors: &[impl Vector], codes: &mut [u8]) -> Result<(), LengthMismatch> {
-    expect_length(vectors.len() * C::BYTES, codes.len())?;
-    par_encode_with(vectors, codes, C::BYTES, encode_slice_at::<C>)
-}
-
-/// Decodes as [`decode_slice`] does, with the same bits, in rayon's current thread pool; up to 16,384 vectors on the
-/// calling thread.
-///
-/// # Errors
-/// The errors of [`decode_slice`].
-#[cfg(feature = "rayon")]
-pub fn par_decode_slice<C: Codec>(codes: &[u8], vectors: &mut [impl Vector]) -> Result<(), LengthMismatch> {
-    expect_length(codes.len(), vectors.len() * C::BYTES)?;
-    par_decode_with(codes, vectors, C::BYTES, decode_slice_at::<C>)
-}
-
-/// [`encode_slice`] with the instructions of a given level.
-#[doc(hidden)]
-pub fn encode_slice_at<C: Codec>(
+/// [`encode_slice_at`] for any coder, of elements of `N` floats.
+pub(crate) fn encode_slice_by<const N: usize>(
+    coder: impl Coder<N>,
     level: Level,
-    vectors: &[impl Vector],
+    elements: &[impl Copy + Into<[f32; N]>],
     codes: &mut [u8],
 ) -> Result<(), LengthMismatch> {
-    encode_slice_by(PhantomData::<C>, level, vectors, codes)
-}
-
-/// [`encode_slice_at`] for any coder.
-pub(crate) fn encode_slice_by(
-    coder: impl Coder,
-    level: Level,
-    vectors: &[impl Vector],
-    codes: &mut [u8],
-) -> Result<(), LengthMismatch> {
-    expect_length(vectors.len() * coder.bytes(), codes.len())?;
-    level.run(Encode { vectors, codes, coder });
+    expect_length(elements.len() * coder.bytes(), codes.len())?;
+    level.run(Encode { elements, codes, coder });
     Ok(())
 }
 
-/// [`decode_slice`] with the instructions of a given level.
-#[doc(hidden)]
-pub fn decode_slice_at<C: Codec>(
+/// [`decode_slice_at`] for any coder, of elements of `N` floats.
+pub(crate) fn decode_slice_by<const N: usize>(
+    coder: impl Coder<N>,
     level: Level,
     codes: &[u8],
-    vectors: &mut [impl Vector],
+    elements: &mut [impl From<[f32; N]>],
 ) -> Result<(), LengthMismatch> {
-    decode_slice_by(PhantomData::<C>, level, codes, vectors)
-}
-
-/// [`decode_slice_at`] for any coder.
-pub(crate) fn decode_slice_by(
-    coder: impl Coder,
-    level: Level,
-    codes: &[u8],
-    vectors: &mut [impl Vector],
-) -> Result<(), LengthMismatch> {
-    expect_length(codes.len(), vectors.len() * coder.bytes())?;
-    level.run(Decode { codes, vectors, coder, target: PhantomData::<Floats> });
+    expect_length(codes.len(), elements.len() * coder.bytes())?;
+    level.run(Decode { codes, elements, coder, target: PhantomData::<Floats> });
     Ok(())
 }
 
@@ -248,7 +200,7 @@ pub fn decode_slice_i16x4_at<C: Codec>(
     vectors: &mut [[i16; 4]],
 ) -> Result<(), LengthMismatch> {
     expect_length(codes.len(), vectors.len() * C::BYTES)?;
-    level.run(Decode { codes, vectors, coder: PhantomData::<C>, target: PhantomData::<Snorms> });
+    level.run(Decode { codes, elements: vectors, coder: PhantomData::<C>, target: PhantomData::<Snorms> });
     Ok(())
 }
 
@@ -274,33 +226,33 @@ pub(crate) fn is_far<T>(vectors: &[T]) -> bool {
     size_of_val(vectors) >= FAR
 }
 
-struct Encode<'a, K, V> {
-    vectors: &'a [V],
+struct Encode<'a, const N: usize, K, E> {
+    elements: &'a [E],
     codes: &'a mut [u8],
     coder: K,
 }
 
 // Whole blocks and the rest go through one loop, so that each codec is compiled once.
-impl<K: Coder, V: Vector> Task for Encode<'_, K, V> {
+impl<const N: usize, K: Coder<N>, E: Copy + Into<[f32; N]>> Task for Encode<'_, N, K, E> {
     #[inline(always)]
     fn run(self) {
         let (coder, bytes) = (self.coder, self.coder.bytes());
         if ONE_BY_ONE {
-            return with_size!(bytes, SIZE => encode_each::<SIZE>(coder, self.vectors, self.codes));
+            return with_size!(bytes, SIZE => encode_each::<N, SIZE>(coder, self.elements, self.codes));
         }
-        let far = is_far(self.vectors);
-        let (blocks, rest) = as_chunks::<_, BLOCK>(self.vectors);
+        let far = is_far(self.elements);
+        let (blocks, rest) = as_chunks::<_, BLOCK>(self.elements);
         let (codes, codes_of_rest) = self.codes.split_at_mut(blocks.len() * BLOCK * bytes);
-        let mut block = Block::new();
+        let mut block = Block::<N>::new();
         for i in 0..blocks.len() + usize::from(!rest.is_empty()) {
             let whole = i < blocks.len();
             if far && i + AHEAD < blocks.len() {
                 prefetch(&blocks[i + AHEAD]);
             }
             if whole {
-                block.load_vectors(&blocks[i])
+                block.load_elements(&blocks[i])
             } else {
-                block.load_vectors(rest)
+                block.load_elements(rest)
             }
             block.encode(coder, if whole { BLOCK } else { rest.len() });
             if whole {
@@ -312,24 +264,24 @@ impl<K: Coder, V: Vector> Task for Encode<'_, K, V> {
     }
 }
 
-struct Decode<'a, K, T, V> {
+struct Decode<'a, const N: usize, K, T, E> {
     codes: &'a [u8],
-    vectors: &'a mut [V],
+    elements: &'a mut [E],
     coder: K,
     target: PhantomData<T>,
 }
 
-impl<K: Coder, T: Target<V>, V> Task for Decode<'_, K, T, V> {
+impl<const N: usize, K: Coder<N>, T: Target<E, N>, E> Task for Decode<'_, N, K, T, E> {
     #[inline(always)]
     fn run(self) {
         let (coder, bytes) = (self.coder, self.coder.bytes());
         if ONE_BY_ONE {
-            return with_size!(bytes, SIZE => decode_each::<T, V, SIZE>(coder, self.codes, self.vectors));
+            return with_size!(bytes, SIZE => decode_each::<N, T, E, SIZE>(coder, self.codes, self.elements));
         }
-        let far = is_far(self.vectors);
-        let (blocks, rest) = as_chunks_mut::<_, BLOCK>(self.vectors);
+        let far = is_far(self.elements);
+        let (blocks, rest) = as_chunks_mut::<_, BLOCK>(self.elements);
         let (codes, codes_of_rest) = self.codes.split_at(blocks.len() * BLOCK * bytes);
-        let mut block = Block::new();
+        let mut block = Block::<N>::new();
         for i in 0..blocks.len() + usize::from(!rest.is_empty()) {
             let whole = i < blocks.len();
             if far && i + AHEAD < blocks.len() {
@@ -346,37 +298,43 @@ impl<K: Coder, T: Target<V>, V> Task for Decode<'_, K, T, V> {
             }
             block.decode(coder, if whole { BLOCK } else { rest.len() });
             if whole {
-                block.store_vectors::<T, V>(&mut blocks[i])
+                block.store_elements::<T, E>(&mut blocks[i])
             } else {
-                block.store_vectors::<T, V>(rest)
+                block.store_elements::<T, E>(rest)
             }
         }
     }
 }
 
-/// Encodes one vector at a time. Without iterators, which cost more than a codec where they are not optimised.
-fn encode_each<const SIZE: usize>(coder: impl Coder, vectors: &[impl Vector], codes: &mut [u8])
-where
+/// Encodes one element at a time. Without iterators, which cost more than a codec where they are not optimised.
+fn encode_each<const N: usize, const SIZE: usize>(
+    coder: impl Coder<N>,
+    elements: &[impl Copy + Into<[f32; N]>],
+    codes: &mut [u8],
+) where
     [u8; SIZE]: Stored,
 {
     let codes = as_chunks_mut::<_, SIZE>(codes).0;
     let mut i = 0;
-    while i < vectors.len() {
-        codes[i] = Stored::of_words(coder.encode(Vec3::from_array(vectors[i].into())));
+    while i < elements.len() {
+        codes[i] = Stored::of_words(coder.encode(elements[i].into()));
         i += 1;
     }
 }
 
 /// Decodes one code at a time.
-fn decode_each<T: Target<V>, V, const SIZE: usize>(coder: impl Coder, codes: &[u8], vectors: &mut [V])
-where
+fn decode_each<const N: usize, T: Target<E, N>, E, const SIZE: usize>(
+    coder: impl Coder<N>,
+    codes: &[u8],
+    elements: &mut [E],
+) where
     [u8; SIZE]: Stored,
 {
     let codes = as_chunks::<_, SIZE>(codes).0;
     let mut i = 0;
-    while i < vectors.len() {
+    while i < elements.len() {
         let (low, high) = codes[i].words();
-        vectors[i] = T::vector(coder.decode(low, high));
+        elements[i] = T::element(coder.decode([low, high]));
         i += 1;
     }
 }
@@ -385,6 +343,7 @@ where
 mod tests {
     use super::*;
     use core::sync::atomic::{AtomicUsize, Ordering};
+    use glam::Vec3;
 
     static CALLS: AtomicUsize = AtomicUsize::new(0);
 

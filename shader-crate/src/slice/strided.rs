@@ -1,10 +1,9 @@
 //! Vectors and codes that lie among other fields, as those of vertices do.
 
+use super::LengthMismatch;
 use super::block::BLOCK;
 use super::machine::{Level, as_chunks, as_chunks_mut};
 use super::stored::with_size;
-use super::{LengthMismatch, decode_slice_at, encode_slice_at};
-use crate::codec::Codec;
 use core::fmt;
 
 /// One field of an array of structs, or one attribute of a vertex buffer: elements in `bytes`, the first at `offset`, the next
@@ -13,10 +12,10 @@ use core::fmt;
 /// The three fields give the number of elements: slice `bytes` to limit it. Empty `bytes` hold none. Others hold at least
 /// one, and every element that begins inside must end inside; the rest of the last one's stride may be missing.
 ///
-/// Only the element's bytes are written, [`Codec::BYTES`] of a code: check that the field is as large. An `Oct48` in a
+/// Only the element's bytes are written, [`Codec::BYTES`](crate::Codec::BYTES) of a code: check that the field is as large. An `Oct48` in a
 /// `u32` overwrites the bytes behind it, and an `Oct24` leaves its upper byte as it was.
 ///
-/// Vectors are three `f32` in native byte order, frames seven; codes are [`Codec::BYTES`] bytes, little endian.
+/// Vectors are three `f32` in native byte order, frames seven; codes are [`Codec::BYTES`](crate::Codec::BYTES) bytes, little endian.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Strided<B> {
     /// `&[u8]`, or `&mut [u8]` to be written to.
@@ -97,65 +96,10 @@ impl fmt::Display for StrideError {
 
 impl core::error::Error for StrideError {}
 
-/// [`encode_slice`](super::encode_slice) from vectors among other fields to codes among other fields. Bytes between the
-/// codes stay as they are.
-///
-/// ```
-/// use core::mem::{offset_of, size_of};
-/// use unitvec::slice::{Strided, encode_strided};
-/// use unitvec::{Codec, Oct32};
-///
-/// #[derive(Clone, Copy, bytemuck::NoUninit)]
-/// #[repr(C)]
-/// struct Vertex {
-///     position: [f32; 3],
-///     normal: [f32; 3],
-///     uv: [f32; 2],
-/// }
-///
-/// let vertex = Vertex { position: [1.0, 2.0, 3.0], normal: [0.0, 1.0, 0.0], uv: [0.5, 0.5] };
-/// let vertices = [vertex; 100];
-/// let mut codes = [0; 100 * Oct32::BYTES];
-/// encode_strided::<Oct32>(
-///     Strided {
-///         bytes: bytemuck::cast_slice(&vertices),
-///         offset: offset_of!(Vertex, normal),
-///         stride: size_of::<Vertex>(),
-///     },
-///     Strided { bytes: &mut codes, offset: 0, stride: Oct32::BYTES },
-/// )?;
-/// # assert_eq!(codes[396..], Oct32::encode(vertex.normal).to_le_bytes());
-/// # Ok::<(), unitvec::slice::StrideError>(())
-/// ```
-///
-/// # Errors
-/// [`StrideError`] where the vectors or the codes do not fit their bytes or are not equally many. Nothing is written then.
-pub fn encode_strided<C: Codec>(
-    vectors: Strided<&[u8]>,
-    codes: Strided<&mut [u8]>,
-) -> Result<(), StrideError> {
-    encode_strided_with::<3>(Level::best(), vectors, codes, C::BYTES, encode_slice_at::<C>)
-}
-
-/// [`decode_slice`](super::decode_slice) from codes among other fields to vectors among other fields: the reverse of
-/// [`encode_strided`]. Bytes between the vectors stay as they are.
-///
-/// Cheap codecs, such as `oct32`, are decoded sooner by a loop of your own over the structs: gathering codes and scattering
-/// vectors then costs more than the CPU's vector instructions save.
-///
-/// # Errors
-/// The errors of [`encode_strided`].
-pub fn decode_strided<C: Codec>(
-    codes: Strided<&[u8]>,
-    vectors: Strided<&mut [u8]>,
-) -> Result<(), StrideError> {
-    decode_strided_with::<3>(Level::best(), codes, vectors, C::BYTES, decode_slice_at::<C>)
-}
-
 /// Strided elements of `N` floats by a slice function, whose codes have `size` bytes.
 ///
 /// # Errors
-/// The errors of [`encode_strided`].
+/// The errors of [`encode_strided`](super::encode_strided).
 #[doc(hidden)]
 pub fn encode_strided_with<const N: usize>(
     level: Level,
@@ -180,7 +124,7 @@ pub fn encode_strided_with<const N: usize>(
 /// The reverse of [`encode_strided_with`].
 ///
 /// # Errors
-/// The errors of [`encode_strided`].
+/// The errors of [`encode_strided`](super::encode_strided).
 #[doc(hidden)]
 pub fn decode_strided_with<const N: usize>(
     level: Level,

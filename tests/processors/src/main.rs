@@ -6,7 +6,8 @@
 use unitvec::codec::RawCode;
 use unitvec::slice::machine::Level;
 use unitvec::slice::{
-    decode_frames, decode_rotations, decode_slice_at, encode_frames, encode_rotations, encode_slice_at,
+    decode_frames_at, decode_rotations_at, decode_slice_at, encode_frames_at, encode_rotations_at,
+    encode_slice_at,
 };
 use unitvec::{
     Frame, Listed, ListedFrame, ListedRotation, for_each_codec, for_each_frame, for_each_rotation,
@@ -69,9 +70,11 @@ fn report_frames<F: ListedFrame>(special: &[[f32; 7]]) {
     };
     let (coder, count) = ((F::NAME, F::BITS, F::BYTES), count(&[]));
     report("values", coder, &encode, &decode, count, special);
-    let encode = |frames: &[_], codes: &mut [_]| encode_frames::<F>(frames, codes).expect(SAME);
-    let decode = |codes: &[_], frames: &mut [_]| decode_frames::<F>(codes, frames).expect(SAME);
-    report(&format!("{:?}", Level::BASELINE), coder, &encode, &decode, count, special);
+    for level in Level::available() {
+        let encode = |frames: &[_], codes: &mut [_]| encode_frames_at::<F>(level, frames, codes).expect(SAME);
+        let decode = |codes: &[_], frames: &mut [_]| decode_frames_at::<F>(level, codes, frames).expect(SAME);
+        report(&format!("{level:?}"), coder, &encode, &decode, count, special);
+    }
 }
 
 fn report_rotations<C: ListedRotation>(special: &[[f32; 4]]) {
@@ -82,9 +85,13 @@ fn report_rotations<C: ListedRotation>(special: &[[f32; 4]]) {
     };
     let (coder, count) = ((C::NAME, C::BITS, C::BYTES), count(&[]));
     report("values", coder, &encode, &decode, count, special);
-    let encode = |rotations: &[_], codes: &mut [_]| encode_rotations::<C>(rotations, codes).expect(SAME);
-    let decode = |codes: &[_], rotations: &mut [_]| decode_rotations::<C>(codes, rotations).expect(SAME);
-    report(&format!("{:?}", Level::BASELINE), coder, &encode, &decode, count, special);
+    for level in Level::available() {
+        let encode =
+            |rotations: &[_], codes: &mut [_]| encode_rotations_at::<C>(level, rotations, codes).expect(SAME);
+        let decode =
+            |codes: &[_], rotations: &mut [_]| decode_rotations_at::<C>(level, codes, rotations).expect(SAME);
+        report(&format!("{level:?}"), coder, &encode, &decode, count, special);
+    }
 }
 
 const SAME: &str = "slices of the same number";
