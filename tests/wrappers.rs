@@ -259,7 +259,7 @@ fn wrappers_in_glsl_have_the_bits_of_rust() {
     type Beside = WithLength<OctPrecise20, u32, 10, 32, -20>;
     type Encode = fn(Vec3) -> u32;
     type Decode = fn([u32; 3]) -> Vec3;
-    let encoders: [(&str, Encode); 12] = [
+    let encoders: [(&str, Encode); 11] = [
         ("axial16_encode(v)", Axial16::encode_vec3),
         ("axial24_encode(v)", Axial24::encode_vec3),
         ("axial32_encode(v)", Axial32::encode_vec3),
@@ -268,7 +268,6 @@ fn wrappers_in_glsl_have_the_bits_of_rust() {
         ("eqangle8_encode(v.xy)", |v| EqualAngle8::encode(v.truncate())),
         ("eqangle16_encode(v.xy)", |v| EqualAngle16::encode(v.truncate())),
         ("vector32_encode(v)", Vector32::encode_vec3),
-        ("vector32b_encode(v)", VectorBalanced32::encode_vec3),
         ("vector48_encode(v).x", |v| Vector48::encode_vec3(v)[0]),
         ("vector48_encode(v).y", |v| Vector48::encode_vec3(v)[1]),
         ("code_of_length(v, 10u, 32u, -20)", |v| Beside::encode_vec3(v) >> 20),
@@ -280,7 +279,7 @@ fn wrappers_in_glsl_have_the_bits_of_rust() {
         vectors(73).chain(long_and_short(74, 20_000)).map(|v| v.to_array().map(f32::to_bits)).collect();
     assert_same_words(&calls, &words);
 
-    let decoders: [(&str, Decode); 11] = [
+    let decoders: [(&str, Decode); 10] = [
         ("axial16_decode(w.x)", |w| Axial16::decode(w[0])),
         ("axial24_decode(w.x)", |w| Axial24::decode(w[0])),
         ("axial32_decode(w.x)", |w| Axial32::decode(w[0])),
@@ -289,7 +288,6 @@ fn wrappers_in_glsl_have_the_bits_of_rust() {
         ("vec3(eqangle8_decode(w.x), 0.0)", |w| EqualAngle8::decode::<Vec2>(w[0]).extend(0.0)),
         ("vec3(eqangle16_decode(w.x), 0.0)", |w| EqualAngle16::decode::<Vec2>(w[0]).extend(0.0)),
         ("vector32_decode(w.x)", |w| Vector32::decode(w[0])),
-        ("vector32b_decode(w.x)", |w| VectorBalanced32::decode(w[0])),
         ("vector48_decode(w.xy)", |w| Vector48::decode([w[0], w[1]])),
         ("vec3(0.0, 0.0, length_of_code(w.x, 10u, 32u, -20))", |w| Beside::decode(w[0] << 20)),
     ];
