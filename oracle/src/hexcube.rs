@@ -21,9 +21,9 @@ pub fn lattice(bits: u32) -> Lattice {
 /// The lattice of a width, where there is one.
 pub fn find_lattice(bits: u32) -> Option<Lattice> {
     let (columns, rows, beyond) = match bits {
-        16 => (96, 56, [0.125, 0.531_25]),
-        24 => (1548, 902, [0.031_25, 0.406_25]),
-        32 => (24778, 14444, [0.031_25, 0.406_25]),
+        16 => (96, 56, [0.08, 0.53]),
+        24 => (1552, 900, [0.005, 0.5]),
+        32 => (24778, 14444, [0.025, 0.5]),
         _ => return None,
     };
     Some(Lattice { columns, rows, edges: [columns as f64 + beyond[0], rows as f64 + beyond[1]] })
@@ -63,12 +63,12 @@ fn axes(face: usize) -> [usize; 2] {
     [[1, 2], [0, 2], [0, 1]][face / 2]
 }
 
-/// The unit vector at u and v on a face: the inverse of the warp `u = 16 X / (11 + 5 |X|)`.
+/// The unit vector at u and v on a face: the inverse of the warp `u = 25 X / (17 + 8 |X|)`.
 pub fn direction(face: usize, uv: [f64; 2]) -> [f64; 3] {
     let mut v = [0.0; 3];
     v[face / 2] = if face % 2 == 0 { 1.0 } else { -1.0 };
     for (axis, t) in axes(face).into_iter().zip(uv) {
-        v[axis] = 11.0 * t / (16.0 - 5.0 * t.abs());
+        v[axis] = 17.0 * t / (25.0 - 8.0 * t.abs());
     }
     normalize(v)
 }
@@ -95,7 +95,7 @@ pub fn face_of(v: [f64; 3]) -> usize {
 pub fn position(v: [f64; 3], face: usize, bits: u32) -> [f64; 2] {
     let [a, b] = axes(face).map(|axis| v[axis] / v[face / 2].abs());
     let [across, along] = lattice(bits).edges;
-    [(a, across), (b, along)].map(|(t, edge)| 16.0 * t / (11.0 + 5.0 * t.abs()) * edge)
+    [(a, across), (b, along)].map(|(t, edge)| 25.0 * t / (17.0 + 8.0 * t.abs()) * edge)
 }
 
 /// The unit vector of a face's point nearest in angle to `v`, of those up to 3 half columns and 2 rows away.

@@ -16,20 +16,20 @@
 
 #include "arith.hlsl"
 
-// The warp's two weights.
-static const float UNITVEC_HEXCUBE_FRONT = 0.6875;
-static const float UNITVEC_HEXCUBE_SIDE = 0.3125;
+// The warp's weight: u = X / (17/8 + |X|).
+static const float UNITVEC_HEXCUBE_WEIGHT = 2.125;
 
 // Coefficients of the shear, and of the square of a pair of rows' distance, in columns.
-static const float UNITVEC_HEXCUBE_SHEAR_0 = 1.077;
-static const float UNITVEC_HEXCUBE_SHEAR_1 = 0.2198;
-static const float UNITVEC_HEXCUBE_HEIGHT_0 = 1.6427;
-static const float UNITVEC_HEXCUBE_HEIGHT_1 = 0.4367;
-static const float UNITVEC_HEXCUBE_HEIGHT_2 = 1.6323;
-static const float UNITVEC_HEXCUBE_HEIGHT_3 = 1.2677;
+static const float UNITVEC_HEXCUBE_SHEAR = 9.19;
+static const float UNITVEC_HEXCUBE_HEIGHT_0 = 0.5332;
+static const float UNITVEC_HEXCUBE_HEIGHT_1 = 5.082;
+static const float UNITVEC_HEXCUBE_HEIGHT_2 = 17.14;
+
+// Its sums with numbers of up to 2^20 count in halves.
+static const float UNITVEC_HEXCUBE_COUNTING_HALVES = 6291456.0;
 
 // Half columns from a face's first point to its last, rows from its middle to the last row, both even; half columns and
-// rows from its middle to its edges.
+// rows from u = 0 to 1 and from v = 0 to 1, beyond the edges at 8/25.
 struct UnitvecHexcubeLattice {
     int columns;
     int rows;
@@ -37,9 +37,9 @@ struct UnitvecHexcubeLattice {
     float along;
 };
 
-static const UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_16 = { 96, 56, 96.125, 56.53125 };
-static const UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_24 = { 1548, 902, 1548.03125, 902.40625 };
-static const UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_32 = { 24778, 14444, 24778.03125, 14444.40625 };
+static const UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_16 = { 96, 56, 300.25, 176.65625 };
+static const UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_24 = { 1552, 900, 4850.015625, 2814.0625 };
+static const UnitvecHexcubeLattice UNITVEC_HEXCUBE_LATTICE_32 = { 24778, 14444, 77431.328125, 45139.0625 };
 
 // Half columns in two rows, which have together as many points.
 int unitvec_hexcube_line(UnitvecHexcubeLattice lattice) {
@@ -66,8 +66,8 @@ float unitvec_hexcube_rounded(float x) {
 // The point of the quarter face u, v >= 0 for X and Y: p over side. Its column, from the middle on, and its row in
 // pairs: whole numbers, or both halves.
 float2 unitvec_hexcube_nearest(float2 p, float side, UnitvecHexcubeLattice lattice) {
-    precise float front = UNITVEC_HEXCUBE_FRONT * side;
-    precise float2 warped = front + UNITVEC_HEXCUBE_SIDE * p;
+    precise float weight = UNITVEC_HEXCUBE_WEIGHT * side;
+    precise float2 warped = weight + p;
     precise float u = p.x * unitvec_reciprocal(warped.x);
     precise float v = p.y * unitvec_reciprocal(warped.y);
     precise float x = u * (0.5 * lattice.across);
@@ -78,10 +78,9 @@ float2 unitvec_hexcube_nearest(float2 p, float side, UnitvecHexcubeLattice latti
     float whole_y = unitvec_hexcube_rounded(y);
     precise float from_whole = y - whole_y;
     float half_row = unitvec_with_sign(0.5, from_whole);
-    precise float from_half = from_whole - half_row;
-    precise float shear = (u * v) * (UNITVEC_HEXCUBE_SHEAR_0 - UNITVEC_HEXCUBE_SHEAR_1 * u);
+    precise float shear = (u * v) * UNITVEC_HEXCUBE_SHEAR;
     precise float x_of_whole = x - shear * from_whole;
-    precise float x_of_half = x - shear * from_half;
+    precise float x_of_half = x_of_whole + shear * half_row;
     float whole_x = min(unitvec_hexcube_rounded(x_of_whole), last_x);
     precise float nearest_half_x = floor(x_of_half) + 0.5;
     float half_x = min(nearest_half_x, last_x - 0.5);
@@ -89,9 +88,7 @@ float2 unitvec_hexcube_nearest(float2 p, float side, UnitvecHexcubeLattice latti
     precise float off_half = x_of_half - half_x;
 
     // The squares of the distances from the rows differ by |from_whole| - 1/4.
-    precise float t = UNITVEC_HEXCUBE_HEIGHT_0 - u;
-    precise float height =
-        (t * t) * (UNITVEC_HEXCUBE_HEIGHT_1 + UNITVEC_HEXCUBE_HEIGHT_2 * v) + UNITVEC_HEXCUBE_HEIGHT_3;
+    precise float height = (UNITVEC_HEXCUBE_HEIGHT_0 - u) * (UNITVEC_HEXCUBE_HEIGHT_1 + UNITVEC_HEXCUBE_HEIGHT_2 * v);
     precise float beyond = off_whole * off_whole + height * (abs(from_whole) - 0.25);
     precise float half_square = off_half * off_half;
     // There is no row beyond the last.
@@ -100,32 +97,33 @@ float2 unitvec_hexcube_nearest(float2 p, float side, UnitvecHexcubeLattice latti
     return is_half ? float2(half_x, half_y) : float2(whole_x, whole_y);
 }
 
+// A place of whole numbers or halves, with the sign of a coordinate, as a number of halves from the first, which is as
+// many before the middle.
+uint unitvec_hexcube_halves(float place, float coordinate, int first) {
+    float from_first = UNITVEC_HEXCUBE_COUNTING_HALVES + 0.5 * float(first);
+    precise float sum = unitvec_negate_if(unitvec_is_negative(coordinate), place) + from_first;
+    return asuint(sum) & 0xffffu;
+}
+
 uint unitvec_hexcube_encode(float3 v, UnitvecHexcubeLattice lattice) {
     bool usable = unitvec_is_usable(unitvec_l1_norm(v));
     float3 a = abs(v);
-    float larger = max(a.x, a.y);
-    bool is_z = a.z >= larger;
+    bool is_z = a.z >= max(a.x, a.y);
     bool y_above = a.y >= a.x;
-    bool is_y = !is_z && y_above;
-    bool is_x = !is_z && !y_above;
-    float p_x = is_x ? v.y : v.x;
+    float x_or_y = y_above ? v.y : v.x;
+    float front = is_z ? v.z : x_or_y;
+    float p_x = is_z || y_above ? v.x : v.y;
     float p_y = is_z ? v.y : v.z;
-    float2 found = unitvec_hexcube_nearest(float2(abs(p_x), abs(p_y)), max(a.z, larger), lattice);
-    // Both whole.
-    precise float2 doubled = 2.0 * found;
-    int column = int(unitvec_negate_if(unitvec_is_negative(p_x), doubled.x));
-    int row = int(unitvec_negate_if(unitvec_is_negative(p_y), doubled.y));
-    int from_middle = (row * unitvec_hexcube_line(lattice) + column) >> 1;
+    float2 found = unitvec_hexcube_nearest(float2(abs(p_x), abs(p_y)), abs(front), lattice);
+    uint column = unitvec_hexcube_halves(found.x, p_x, lattice.columns);
+    uint row = unitvec_hexcube_halves(found.y, p_y, lattice.rows);
+    uint number = (row * uint(unitvec_hexcube_line(lattice)) + column) >> 1u;
 
-    bool negative =
-        (is_x && unitvec_is_negative(v.x)) || (is_y && unitvec_is_negative(v.y)) || (is_z && unitvec_is_negative(v.z));
     uint face = unitvec_hexcube_face(lattice);
-    uint middle = uint(unitvec_hexcube_middle(lattice));
-    uint first = is_y ? 2u * face : 0u;
-    first = (is_z ? 4u * face : first) + middle;
-    first = negative ? first + face : first;
-    uint code = first + uint(from_middle);
-    return usable ? code : 4u * face + middle;
+    uint x_or_y_face = y_above ? 2u * face : 0u;
+    uint first = is_z ? 4u * face : x_or_y_face;
+    uint code = number + first + (unitvec_is_negative(front) ? face : 0u);
+    return usable ? code : 4u * face + uint(unitvec_hexcube_middle(lattice));
 }
 
 // Unit length to within 2 ULP.
@@ -139,10 +137,11 @@ float3 unitvec_hexcube_decode(uint code, UnitvecHexcubeLattice lattice) {
     float column = float(int(doubled - line_number * line_length) - lattice.columns);
     float row = float(int(line_number) - lattice.rows);
 
-    // X and Y over a common denominator; all but the last products are exact.
-    precise float across = 16.0 * lattice.across - 5.0 * abs(column);
-    precise float along = 16.0 * lattice.along - 5.0 * abs(row);
-    precise float3 scaled = float3((11.0 * column) * along, (11.0 * row) * across, across * along);
+    // X and Y over a common denominator, without the weight.
+    precise float across = lattice.across - abs(column);
+    precise float along = lattice.along - abs(row);
+    precise float3 scaled =
+        float3((UNITVEC_HEXCUBE_WEIGHT * column) * along, (UNITVEC_HEXCUBE_WEIGHT * row) * across, across * along);
     float3 p = unitvec_normalize(scaled);
     float front = unitvec_negate_if((face & 1u) != 0u, p.z);
     bool is_x = face < 2u;

@@ -13,20 +13,20 @@
 // the least u. (u, v) is (y, z), (x, z), (x, y) on the faces of x, y, z. Every other row has a point less. Past the
 // last code all decode like the last.
 
-// The warp's two weights.
-const UNITVEC_HEXCUBE_FRONT: f32 = 0.6875;
-const UNITVEC_HEXCUBE_SIDE: f32 = 0.3125;
+// The warp's weight: u = X / (17/8 + |X|).
+const UNITVEC_HEXCUBE_WEIGHT: f32 = 2.125;
 
 // Coefficients of the shear, and of the square of a pair of rows' distance, in columns.
-const UNITVEC_HEXCUBE_SHEAR_0: f32 = 1.077;
-const UNITVEC_HEXCUBE_SHEAR_1: f32 = 0.2198;
-const UNITVEC_HEXCUBE_HEIGHT_0: f32 = 1.6427;
-const UNITVEC_HEXCUBE_HEIGHT_1: f32 = 0.4367;
-const UNITVEC_HEXCUBE_HEIGHT_2: f32 = 1.6323;
-const UNITVEC_HEXCUBE_HEIGHT_3: f32 = 1.2677;
+const UNITVEC_HEXCUBE_SHEAR: f32 = 9.19;
+const UNITVEC_HEXCUBE_HEIGHT_0: f32 = 0.5332;
+const UNITVEC_HEXCUBE_HEIGHT_1: f32 = 5.082;
+const UNITVEC_HEXCUBE_HEIGHT_2: f32 = 17.14;
+
+// Its sums with numbers of up to 2^20 count in halves.
+const UNITVEC_HEXCUBE_COUNTING_HALVES: f32 = 6291456.0;
 
 // Half columns from a face's first point to its last, rows from its middle to the last row, both even; half columns and
-// rows from its middle to its edges.
+// rows from u = 0 to 1 and from v = 0 to 1, beyond the edges at 8/25.
 struct UnitvecHexcubeLattice {
     columns: i32,
     rows: i32,
@@ -34,9 +34,9 @@ struct UnitvecHexcubeLattice {
     along: f32,
 }
 
-const UNITVEC_HEXCUBE_LATTICE_16: UnitvecHexcubeLattice = UnitvecHexcubeLattice(96, 56, 96.125, 56.53125);
-const UNITVEC_HEXCUBE_LATTICE_24: UnitvecHexcubeLattice = UnitvecHexcubeLattice(1548, 902, 1548.03125, 902.40625);
-const UNITVEC_HEXCUBE_LATTICE_32: UnitvecHexcubeLattice = UnitvecHexcubeLattice(24778, 14444, 24778.03125, 14444.40625);
+const UNITVEC_HEXCUBE_LATTICE_16: UnitvecHexcubeLattice = UnitvecHexcubeLattice(96, 56, 300.25, 176.65625);
+const UNITVEC_HEXCUBE_LATTICE_24: UnitvecHexcubeLattice = UnitvecHexcubeLattice(1552, 900, 4850.015625, 2814.0625);
+const UNITVEC_HEXCUBE_LATTICE_32: UnitvecHexcubeLattice = UnitvecHexcubeLattice(24778, 14444, 77431.328125, 45139.0625);
 
 // Half columns in two rows, which have together as many points.
 fn unitvec_hexcube_line(lattice: UnitvecHexcubeLattice) -> i32 {
@@ -63,8 +63,8 @@ fn unitvec_hexcube_rounded(x: f32) -> f32 {
 // The point of the quarter face u, v >= 0 for X and Y: p over side. Its column, from the middle on, and its row in
 // pairs: whole numbers, or both halves.
 fn unitvec_hexcube_nearest(p: vec2f, side: f32, lattice: UnitvecHexcubeLattice) -> vec2f {
-    let front = UNITVEC_HEXCUBE_FRONT * side;
-    let warped = front + UNITVEC_HEXCUBE_SIDE * p;
+    let weight = UNITVEC_HEXCUBE_WEIGHT * side;
+    let warped = weight + p;
     let u = p.x * unitvec_reciprocal(warped.x);
     let v = p.y * unitvec_reciprocal(warped.y);
     let x = u * (0.5 * lattice.across);
@@ -75,10 +75,9 @@ fn unitvec_hexcube_nearest(p: vec2f, side: f32, lattice: UnitvecHexcubeLattice) 
     let whole_y = unitvec_hexcube_rounded(y);
     let from_whole = y - whole_y;
     let half_row = unitvec_with_sign(0.5, from_whole);
-    let from_half = from_whole - half_row;
-    let shear = (u * v) * (UNITVEC_HEXCUBE_SHEAR_0 - UNITVEC_HEXCUBE_SHEAR_1 * u);
+    let shear = (u * v) * UNITVEC_HEXCUBE_SHEAR;
     let x_of_whole = x - shear * from_whole;
-    let x_of_half = x - shear * from_half;
+    let x_of_half = x_of_whole + shear * half_row;
     let whole_x = min(unitvec_hexcube_rounded(x_of_whole), last_x);
     let nearest_half_x = floor(x_of_half) + 0.5;
     let half_x = min(nearest_half_x, last_x - 0.5);
@@ -86,8 +85,7 @@ fn unitvec_hexcube_nearest(p: vec2f, side: f32, lattice: UnitvecHexcubeLattice) 
     let off_half = x_of_half - half_x;
 
     // The squares of the distances from the rows differ by |from_whole| - 1/4.
-    let t = UNITVEC_HEXCUBE_HEIGHT_0 - u;
-    let height = (t * t) * (UNITVEC_HEXCUBE_HEIGHT_1 + UNITVEC_HEXCUBE_HEIGHT_2 * v) + UNITVEC_HEXCUBE_HEIGHT_3;
+    let height = (UNITVEC_HEXCUBE_HEIGHT_0 - u) * (UNITVEC_HEXCUBE_HEIGHT_1 + UNITVEC_HEXCUBE_HEIGHT_2 * v);
     let beyond = off_whole * off_whole + height * (abs(from_whole) - 0.25);
     let half_square = off_half * off_half;
     // There is no row beyond the last.
@@ -96,32 +94,33 @@ fn unitvec_hexcube_nearest(p: vec2f, side: f32, lattice: UnitvecHexcubeLattice) 
     return select(vec2f(whole_x, whole_y), vec2f(half_x, half_y), is_half);
 }
 
+// A place of whole numbers or halves, with the sign of a coordinate, as a number of halves from the first, which is as
+// many before the middle.
+fn unitvec_hexcube_halves(place: f32, coordinate: f32, first: i32) -> u32 {
+    let from_first = UNITVEC_HEXCUBE_COUNTING_HALVES + 0.5 * f32(first);
+    let sum = unitvec_negate_if(unitvec_is_negative(coordinate), place) + from_first;
+    return bitcast<u32>(sum) & 0xffffu;
+}
+
 fn unitvec_hexcube_encode(v: vec3f, lattice: UnitvecHexcubeLattice) -> u32 {
     let usable = unitvec_is_usable(unitvec_l1_norm(v));
     let a = abs(v);
-    let larger = max(a.x, a.y);
-    let is_z = a.z >= larger;
+    let is_z = a.z >= max(a.x, a.y);
     let y_above = a.y >= a.x;
-    let is_y = !is_z && y_above;
-    let is_x = !is_z && !y_above;
-    let p_x = select(v.x, v.y, is_x);
+    let x_or_y = select(v.x, v.y, y_above);
+    let front = select(x_or_y, v.z, is_z);
+    let p_x = select(v.y, v.x, is_z || y_above);
     let p_y = select(v.z, v.y, is_z);
-    let found = unitvec_hexcube_nearest(vec2f(abs(p_x), abs(p_y)), max(a.z, larger), lattice);
-    // Both whole.
-    let doubled = 2.0 * found;
-    let column = i32(unitvec_negate_if(unitvec_is_negative(p_x), doubled.x));
-    let row = i32(unitvec_negate_if(unitvec_is_negative(p_y), doubled.y));
-    let from_middle = (row * unitvec_hexcube_line(lattice) + column) >> 1u;
+    let found = unitvec_hexcube_nearest(vec2f(abs(p_x), abs(p_y)), abs(front), lattice);
+    let column = unitvec_hexcube_halves(found.x, p_x, lattice.columns);
+    let row = unitvec_hexcube_halves(found.y, p_y, lattice.rows);
+    let number = (row * u32(unitvec_hexcube_line(lattice)) + column) >> 1u;
 
-    let negative =
-        (is_x && unitvec_is_negative(v.x)) || (is_y && unitvec_is_negative(v.y)) || (is_z && unitvec_is_negative(v.z));
     let face = unitvec_hexcube_face(lattice);
-    let middle = u32(unitvec_hexcube_middle(lattice));
-    var first = select(0u, 2u * face, is_y);
-    first = select(first, 4u * face, is_z) + middle;
-    first = select(first, first + face, negative);
-    let code = first + u32(from_middle);
-    return select(4u * face + middle, code, usable);
+    let x_or_y_face = select(0u, 2u * face, y_above);
+    let first = select(x_or_y_face, 4u * face, is_z);
+    let code = number + first + select(0u, face, unitvec_is_negative(front));
+    return select(4u * face + u32(unitvec_hexcube_middle(lattice)), code, usable);
 }
 
 // Unit length to within 2 ULP.
@@ -136,10 +135,11 @@ fn unitvec_hexcube_decode(code_in: u32, lattice: UnitvecHexcubeLattice) -> vec3f
     let column = f32(i32(doubled - line_number * line_length) - lattice.columns);
     let row = f32(i32(line_number) - lattice.rows);
 
-    // X and Y over a common denominator; all but the last products are exact.
-    let across = 16.0 * lattice.across - 5.0 * abs(column);
-    let along = 16.0 * lattice.along - 5.0 * abs(row);
-    let scaled = vec3f((11.0 * column) * along, (11.0 * row) * across, across * along);
+    // X and Y over a common denominator, without the weight.
+    let across = lattice.across - abs(column);
+    let along = lattice.along - abs(row);
+    let scaled =
+        vec3f((UNITVEC_HEXCUBE_WEIGHT * column) * along, (UNITVEC_HEXCUBE_WEIGHT * row) * across, across * along);
     let p = unitvec_normalize(scaled);
     let front = unitvec_negate_if((face & 1u) != 0u, p.z);
     let is_x = face < 2u;

@@ -14,6 +14,7 @@ pub mod formats;
 mod imprecise;
 mod interop;
 mod languages;
+mod orders;
 mod papers;
 mod pictures;
 mod processors;

@@ -11,11 +11,33 @@ use unitvec_choose::costs::Source;
 use unitvec_lab::accuracy::Table;
 use unitvec_lab::accuracy::meyer::METHODS;
 use unitvec_lab::bench::survey_ns;
+use unitvec_lab::textbook::best_fit_table;
+use unitvec_oracle::{Summary, angle_deg, best_fit, cube, neighbourhood};
+use unitvec_tests::directions::{around, sphere};
+use unitvec_tests::tested::widen;
 
 /// The table of all that numbers decide: the place, what stands there, and what the numbers say.
 pub fn table() -> String {
-    let rows = [maps(), cubes(), listing_3(), fastest(), spherical(), sc()].concat();
+    let rows = [maps(), cubes(), listing_3(), fastest(), spherical(), best_fits(), sc(), cube_in_the_range()]
+        .concat();
     markdown_table("where | what it says | what the numbers say", rows)
+}
+
+/// Meyer's table 1 at two widths: the spacing of samples, the bound to first order and by the equation, and the largest
+/// error of our codec, in degrees.
+pub fn meyer() -> String {
+    let rows = METHODS.iter().map(|method| {
+        let at = [16u32, 24].map(|bits| {
+            let b = f64::from(bits);
+            let in_degrees = |radians: f64| degrees(radians.to_degrees());
+            let exact = method.exact_bound(b).map_or_else(String::new, in_degrees);
+            let found = method.codec(bits).map_or_else(String::new, |codec| degrees(ours(codec.id).max));
+            format!("{:.3e} | {} | {exact} | {found}", (method.spacing)(b), in_degrees(method.bound(b)))
+        });
+        format!("{} | {}", method.name.replace('_', ", "), at.join(" | "))
+    });
+    let of_width = |bits| format!("ε, {bits} bits | first order | equation | ours");
+    markdown_table(&format!("method | {} | {}", of_width(16), of_width(24)), rows)
 }
 
 /// Mean and maximum of a row of the survey's table 1.
@@ -28,7 +50,7 @@ fn published(name: &str) -> Errors {
 /// A bound of Meyer's in radians.
 fn bound(method: &str, bits: f64) -> f64 {
     let found = METHODS.iter().find(|other| other.name == method);
-    (found.unwrap_or_else(|| panic!("no {method}")).bound)(bits)
+    found.unwrap_or_else(|| panic!("no {method}")).bound(bits)
 }
 
 fn ours(id: &str) -> Errors {
@@ -119,6 +141,78 @@ fn spherical() -> Vec<String> {
         degrees(ours("spherical32").max),
         own("spherical32"),
         own("oct32")
+    )]
+}
+
+/// Directions of the comparisons below.
+const COUNT: usize = 200_000;
+
+/// Best fit normals of 8 bits as the survey describes them, by the table of `glsl/textbook/best_fit.glsl`: with the
+/// length of one texel, and with the best of those of the four closest texels and of the vector as it is.
+fn best_fits() -> Vec<String> {
+    let table = best_fit_table();
+    let side = table.len().isqrt();
+    let errors = sphere(15, COUNT).map(|v| {
+        let v = widen(v);
+        let mut sizes = v.map(f64::abs);
+        sizes.sort_by(f64::total_cmp);
+        let [least, middle, largest] = sizes;
+        let place = [middle / largest, least / middle].map(|t| t * side as f64);
+        let texel = |x: f64, y: f64| {
+            let [x, y] = [x, y].map(|t| (t.max(0.0) as usize).min(side - 1));
+            best_fit::error_at_length(v, f64::from(table[y * side + x]))
+        };
+        let [x, y] = place.map(|t| t - 0.5);
+        let closest = [texel(x, y), texel(x + 1.0, y), texel(x, y + 1.0), texel(x + 1.0, y + 1.0)];
+        let best = closest.into_iter().fold(best_fit::plain_error(v, 127.0), f64::min);
+        [texel(place[0], place[1]), best]
+    });
+    let errors: Vec<[f64; 2]> = errors.collect();
+    let of = |i: usize| {
+        let Summary { mean, max } = Summary::of(errors.iter().map(|e| e[i]));
+        Errors { mean, max }
+    };
+    let [one, four, ours] = [of(0), of(1), ours("snorm8x3p")];
+    for other in [published("snorm8x3P"), ours] {
+        assert!((four.mean / other.mean - 1.0).abs() < 0.04, "{four:?} {other:?}");
+    }
+    vec![format!(
+        "survey, table 1, best fit | CrytekBFN24 {}, snorm8x3P {} | by a table of {side} x {side} lengths for snorm codes \
+         {} and {}; our snorm8x3p {}. Biased codes, and the shortest length where several fit in the texel of (1, 1, 1), give \
+         the survey's CrytekBFN24",
+        mean_and_max(published("CrytekBFN24")),
+        mean_and_max(published("snorm8x3P")),
+        mean_and_max(one),
+        mean_and_max(four),
+        mean_and_max(ours)
+    )]
+}
+
+/// `cube24` with the nearest of the nine codes around a direction's, those of its face.
+fn cube_in_the_range() -> Vec<String> {
+    let bits = 24;
+    let widths = cube::widths(bits);
+    let nearest = |v: [f64; 3]| {
+        let code = cube::encode(v, bits, false);
+        let face = code >> (bits - 3) << (bits - 3);
+        let around = neighbourhood(cube::integers(code, bits), 1)
+            .filter(|integers| (0..2).all(|i| integers[i].abs() < 1 << (widths[i] - 1)));
+        let codes = around.map(|[x, y]| {
+            let [x, y] = [(x, widths[0]), (y, widths[1])].map(|(t, bits)| t as u64 & ((1 << bits) - 1));
+            x | (y << widths[0]) | face
+        });
+        codes.map(|code| angle_deg(v, cube::decode(code, bits, false))).fold(f64::INFINITY, f64::min)
+    };
+    let middle = around(16, COUNT, [0.0, 0.0, 1.0], 0.02).map(widen);
+    let max = Summary::of(middle.map(nearest)).max;
+    let mean = Summary::of(sphere(17, COUNT).map(widen).map(nearest)).mean;
+    let domain = ours("cube24");
+    assert!(mean < 0.99 * domain.mean && max > 0.99 * domain.max && max < 1.01 * domain.max);
+    vec![format!(
+        "Meyer, section 6 | quantised in the range, CM has a lower mean error and the same maximum | so it is: `cube24` by the \
+         nearest of the codes around {}, by rounding in the domain {}",
+        mean_and_max(Errors { mean, max }),
+        mean_and_max(domain)
     )]
 }
 

@@ -2,8 +2,8 @@
 
 use super::accuracy::{self, Errors};
 use super::{
-    compare, costs, devices, dither, drivers, formats, imprecise, interop, languages, markdown_table, papers,
-    pictures, processors, projected, slices, textbook,
+    compare, costs, devices, dither, drivers, formats, imprecise, interop, languages, markdown_table, orders,
+    papers, pictures, processors, projected, slices, textbook,
 };
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -33,6 +33,8 @@ pub fn table(name: &str) -> Option<String> {
         "survey-marks" => survey_marks(),
         "components" => textbook::components(),
         "papers" => papers::table(),
+        "meyer" => papers::meyer(),
+        "orders" => orders::table(),
         "related" => papers::related(),
         "errors" => errors(rest),
         "costs" => costs::table(rest),

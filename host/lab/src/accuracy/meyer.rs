@@ -4,7 +4,7 @@ use crate::Result;
 use glam::{DVec3, Vec3};
 use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
-use std::f64::consts::{PI, SQRT_2};
+use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 use unitvec::angle_deg;
 use unitvec_catalogue::{AnyCodec, Domain, find};
 use unitvec_run::backend::{Backend, round_trip};
@@ -15,8 +15,12 @@ use unitvec_run::sampling;
 pub struct Method {
     /// The method's name in the table.
     pub name: &'static str,
-    /// Bound of the error in radians at a number of bits, to first order.
-    pub bound: fn(f64) -> f64,
+    /// The distance of samples in the domain at a number of bits: the table's first row.
+    pub spacing: fn(f64) -> f64,
+    /// The largest error in radians at a spacing, to first order.
+    first_order: fn(f64) -> f64,
+    /// The same without an approximation, where the paper has it: equations 3, 5 to 8 and 10.
+    exact: Option<fn(f64) -> f64>,
     /// The family of codecs that implement it: identifiers are this, the bits, and the suffix.
     family: &'static str,
     suffix: &'static str,
@@ -25,7 +29,7 @@ pub struct Method {
 /// Widths of the table.
 pub const WIDTHS: [u32; 4] = [16, 24, 32, 48];
 
-/// The methods, in the table's order, with the bounds of its second row.
+/// The methods, in the table's order.
 ///
 /// FPNV, three floats, stands twice. The table's formula has cells of 2 2^(-b/3), which is fixed point with b / 3 bits;
 /// its figure for 48 bits, 4.60e-4, follows from eq. 3, sqrt(2) / 3 2^-m, with the m = 10 bits of a half float.
@@ -38,28 +42,110 @@ pub const WIDTHS: [u32; 4] = [16, 24, 32, 48];
 ///
 /// SC stands twice too: the table prints twice what eq. 5, sqrt(2) / 2 pi epsilon, gives with the table's own epsilon,
 /// 2^(-(b-1)/2). Ours are sqrt(5) / 2 above eq. 5, since a step of phi is twice one of theta.
+///
+/// Eq. 7, of SPP, has a root too many in print, by which it exceeds 1: the inner one is of 192 alone.
 pub const METHODS: [Method; 9] = [
     Method {
         name: "FPNV",
-        bound: |b| 32f64.sqrt() / 3.0 * (b / 6.0).exp2() * scale(b),
+        spacing: |b| 2.0 * (-b / 3.0).exp2(),
+        first_order: floats,
+        exact: Some(exact_floats),
         family: "fpnv",
         suffix: "",
     },
-    Method { name: "FPNV_half", bound: |_| SQRT_2 / 3.0 * 2f64.powi(-10), family: "float", suffix: "" },
-    Method { name: "PP", bound: |b| (1.0 + b / 4.0).exp2() * scale(b), family: "pp", suffix: "" },
-    Method { name: "SPP", bound: |b| 2.0 * 6f64.sqrt() * scale(b), family: "spp", suffix: "" },
-    Method { name: "SC", bound: |b| 2.0 * PI * scale(b), family: "spherical", suffix: "" },
-    Method { name: "SC_eq5", bound: |b| PI * scale(b), family: "spherical", suffix: "" },
-    Method { name: "CM", bound: |b| 4.0 * scale(b), family: "cube", suffix: "" },
-    Method { name: "ONV_domain", bound: |b| 3.0 * SQRT_2 * scale(b), family: "oct", suffix: "" },
-    Method { name: "ONV_range", bound: |b| 2.0 * SQRT_2 * scale(b), family: "oct", suffix: "p" },
+    Method {
+        name: "FPNV_half",
+        spacing: |_| 2f64.powi(-11),
+        first_order: floats,
+        exact: Some(exact_floats),
+        family: "float",
+        suffix: "",
+    },
+    Method {
+        name: "PP",
+        spacing: |b| 2.0 * scale(b - 1.0),
+        first_order: |e| 2f64.powf(0.25) * e.sqrt(),
+        exact: Some(|e| (1.0 - e / SQRT_2).acos()),
+        family: "pp",
+        suffix: "",
+    },
+    Method {
+        name: "SPP",
+        spacing: |b| SQRT_2 * scale(b - 3.0),
+        first_order: |e| 1.5f64.sqrt() * e,
+        exact: Some(|e| {
+            let root = (4.0 + 192f64.sqrt() * e - 6.0 * e * e).sqrt();
+            (2.0 / 3.0 - e / 3f64.sqrt() + root / 6.0).acos()
+        }),
+        family: "spp",
+        suffix: "",
+    },
+    Method {
+        name: "SC",
+        spacing: |b| scale(b - 1.0),
+        first_order: |e| SQRT_2 * PI * e,
+        exact: None,
+        family: "spherical",
+        suffix: "",
+    },
+    Method {
+        name: "SC_eq5",
+        spacing: |b| scale(b - 1.0),
+        first_order: |e| FRAC_1_SQRT_2 * PI * e,
+        exact: Some(|e| (0.5 * PI * e).cos().powi(2).acos()),
+        family: "spherical",
+        suffix: "",
+    },
+    Method {
+        name: "CM",
+        spacing: |b| 2.0 * scale(b - 3.0),
+        first_order: |e| FRAC_1_SQRT_2 * e,
+        exact: Some(|e| (2.0 / (2.0 * e * e + 4.0).sqrt()).acos()),
+        family: "cube",
+        suffix: "",
+    },
+    Method {
+        name: "ONV_domain",
+        spacing: |b| 2.0 * scale(b),
+        first_order: |e| 1.5 * SQRT_2 * e,
+        exact: Some(|e| (2.0 / (2.0 + 9.0 * e * e)).sqrt().acos()),
+        family: "oct",
+        suffix: "",
+    },
+    Method {
+        name: "ONV_range",
+        spacing: |b| 2.0 * scale(b),
+        first_order: |e| SQRT_2 * e,
+        exact: None,
+        family: "oct",
+        suffix: "p",
+    },
 ];
 
 fn scale(bits: f64) -> f64 {
     (-bits / 2.0).exp2()
 }
 
+fn floats(spacing: f64) -> f64 {
+    2.0 * SQRT_2 / 3.0 * spacing
+}
+
+fn exact_floats(spacing: f64) -> f64 {
+    let square = 9.0 + 12.0 * spacing + 12.0 * spacing * spacing;
+    (1.0 - 8.0 * spacing * spacing / square).sqrt().acos()
+}
+
 impl Method {
+    /// Bound of the error in radians at a number of bits, to first order: the table's second row.
+    pub fn bound(&self, bits: f64) -> f64 {
+        (self.first_order)((self.spacing)(bits))
+    }
+
+    /// The same by the method's equation, where the paper has one.
+    pub fn exact_bound(&self, bits: f64) -> Option<f64> {
+        self.exact.map(|exact| exact((self.spacing)(bits)))
+    }
+
     /// The codec that implements the method at this width, if the catalogue has one.
     pub fn codec(&self, bits: u32) -> Option<&'static AnyCodec> {
         let id = match self.name {
@@ -171,6 +257,58 @@ mod tests {
     use super::*;
     use unitvec_run::backend::Cpu;
 
+    /// The second row of the table, as printed, follows from the first and the equations; SC is as the table has it.
+    #[test]
+    fn bounds_are_the_printed_formulas() {
+        for bits in [16f64, 24.0, 32.0] {
+            let printed = [
+                32f64.sqrt() / 3.0 * (bits / 6.0).exp2(),
+                SQRT_2 / 3.0 * (bits / 2.0 - 10.0).exp2(),
+                (1.0 + bits / 4.0).exp2(),
+                2.0 * 6f64.sqrt(),
+                2.0 * PI,
+                PI,
+                4.0,
+                3.0 * SQRT_2,
+                2.0 * SQRT_2,
+            ];
+            for (method, printed) in METHODS.iter().zip(printed) {
+                let ratio = method.bound(bits) / (printed * scale(bits));
+                assert!((ratio - 1.0).abs() < 1e-12, "{}: {ratio}", method.name);
+            }
+        }
+    }
+
+    /// The equations are the angles of the vectors that they are derived from, and first order is their limit.
+    #[test]
+    fn equations_are_the_angles_of_cells() {
+        let angle = |a: DVec3, b: DVec3| a.cross(b).length().atan2(a.dot(b));
+        // On the sphere, of x and y: PP's cell ends at the equator, SPP's at the diagonal.
+        let lifted = |x: f64, y: f64| DVec3::new(x, y, (1.0 - x * x - y * y).max(0.0).sqrt());
+        for e in [0.1, 0.01] {
+            let (third, diagonal) = (1.0 / 3.0, 1.0 / 3f64.sqrt());
+            let inside = 0.5f64.sqrt() - 0.5 * e;
+            let (sin, cos) = (0.5 * PI * e).sin_cos();
+            let expected = [
+                angle(DVec3::splat(0.5 + 0.5 * e), DVec3::new(0.5 + e, 0.5, 0.5)),
+                angle(lifted(inside, inside), DVec3::new(1.0, 1.0, 0.0)),
+                angle(lifted(diagonal - 0.5 * e, diagonal - 0.5 * e), DVec3::ONE),
+                angle(DVec3::X, DVec3::new(cos * cos, cos * sin, sin)),
+                angle(DVec3::Z, DVec3::new(0.5 * e, 0.5 * e, 1.0)),
+                angle(DVec3::splat(third), DVec3::new(third + 0.5 * e, third + 0.5 * e, third - e)),
+            ];
+            let methods = ["FPNV", "PP", "SPP", "SC_eq5", "CM", "ONV_domain"];
+            for (name, expected) in methods.into_iter().zip(expected) {
+                let method = METHODS.iter().find(|method| method.name == name).unwrap();
+                let ratio = (method.exact.unwrap())(e) / expected;
+                assert!((ratio - 1.0).abs() < 1e-9, "{name}: {ratio}");
+                let tiny = 1e-5;
+                let limit = (method.exact.unwrap())(tiny) / (method.first_order)(tiny);
+                assert!((limit - 1.0).abs() < 1e-4, "{name}: {limit}");
+            }
+        }
+    }
+
     /// The third row of the table, worked out by Meyer et al. for 48 bits.
     #[test]
     fn bounds_at_48_bits_are_the_published_ones() {
@@ -188,7 +326,7 @@ mod tests {
         ];
         for (method, published) in METHODS.iter().zip(published) {
             if let Some(published) = published {
-                let ratio = (method.bound)(48.0) / published;
+                let ratio = method.bound(48.0) / published;
                 assert!((ratio - 1.0).abs() < 3e-3, "{}: {ratio}", method.name);
             }
         }
@@ -200,7 +338,7 @@ mod tests {
         let method = METHODS.iter().find(|method| method.name == "ONV_range").unwrap();
         let (found, _) = worst_error(&mut Cpu, method.codec(16).unwrap(), 1_000_000, 1).unwrap();
         // Meyer's cell is 2 2^(-b/2); ours, 1 / 127, is a little larger.
-        let bound = (method.bound)(16.0).to_degrees() * 128.0 / 127.0;
+        let bound = method.bound(16.0).to_degrees() * 128.0 / 127.0;
         assert!(found > 0.995 * bound && found < bound, "{found} of {bound}");
     }
 }

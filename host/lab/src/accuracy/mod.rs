@@ -168,7 +168,7 @@ pub fn measure_meyer_row(
     count: usize,
     seed: u64,
 ) -> Result<Row> {
-    let bound = (method.bound)(f64::from(codec.bits)).to_degrees();
+    let bound = method.bound(f64::from(codec.bits)).to_degrees();
     let row = beyond::measure_row(backend, codec, count, seed)?;
     let (survey_mean_deg, survey_max_deg) = (None, Some(bound));
     Ok(Row { table: "meyer", survey_name: method.name.to_owned(), survey_mean_deg, survey_max_deg, ..row })
