@@ -33,57 +33,44 @@ pub struct Row {
     pub errors: Option<Errors>,
 }
 
-/// The errors of a row.
+/// Errors: angles, or relative ones.
 #[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
 pub struct Errors {
-    /// How large they are.
+    /// Mean, median, 99 % and maximum.
+    #[serde(skip)]
+    pub sizes: [f64; 4],
     #[serde(flatten)]
-    pub sizes: Sizes,
+    degrees: Option<Degrees>,
+    #[serde(flatten)]
+    relative: Option<Relative>,
     /// The first vector with the maximum.
     pub worst: Worst,
 }
 
-/// Errors of many vectors.
-#[derive(Clone, Copy, Debug, Serialize, schemars::JsonSchema)]
-#[serde(untagged)]
-pub enum Sizes {
-    /// Angles in degrees.
-    Degrees {
-        /// Mean.
-        mean_deg: f64,
-        /// The least error that half of all do not exceed, to within a 4096th.
-        median_deg: f64,
-        /// The least error that 99 % of all do not exceed, to within a 4096th.
-        p99_deg: f64,
-        /// Maximum.
-        max_deg: f64,
-    },
-    /// `|d - v| / |v|` of vectors with a length, v, and the decoded ones, d.
-    Relative {
-        /// Mean.
-        mean_relative: f64,
-        /// The least error that half of all do not exceed, to within a 4096th.
-        median_relative: f64,
-        /// The least error that 99 % of all do not exceed, to within a 4096th.
-        p99_relative: f64,
-        /// Maximum.
-        max_relative: f64,
-    },
+/// Errors in degrees.
+#[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
+struct Degrees {
+    /// Mean.
+    mean_deg: f64,
+    /// The least error that half of all do not exceed, to within a 4096th.
+    median_deg: f64,
+    /// The least error that 99 % of all do not exceed, to within a 4096th.
+    p99_deg: f64,
+    /// Maximum.
+    max_deg: f64,
 }
 
-impl Sizes {
-    /// Mean, median, 99 % and maximum.
-    pub fn to_array(self) -> [f64; 4] {
-        match self {
-            Self::Degrees { mean_deg: mean, median_deg: median, p99_deg: p99, max_deg: max }
-            | Self::Relative {
-                mean_relative: mean,
-                median_relative: median,
-                p99_relative: p99,
-                max_relative: max,
-            } => [mean, median, p99, max],
-        }
-    }
+/// Errors `|d - v| / |v|` of vectors with a length, v, and the decoded ones, d.
+#[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
+struct Relative {
+    /// Mean of `|d - v| / |v|`.
+    mean_relative: f64,
+    /// The least relative error that half of all do not exceed, to within a 4096th.
+    median_relative: f64,
+    /// The least relative error that 99 % of all do not exceed, to within a 4096th.
+    p99_relative: f64,
+    /// Maximum of `|d - v| / |v|`.
+    max_relative: f64,
 }
 
 /// A vector and its decoded one.
@@ -233,7 +220,7 @@ impl Meter {
     /// # Errors
     /// [`Error::Truncated`] if the original ends within an element, and any error of reading, such as that the file ends
     /// before the original.
-    pub fn compare(&mut self, original: Input<'_>, made: Input<'_>) -> Result<Option<Sizes>> {
+    pub fn compare(&mut self, original: Input<'_>, made: Input<'_>) -> Result<Option<f64>> {
         let (element, measure, file) = (self.element, self.measure, made.path);
         let parts = measure.parts(element);
         let mut tallies = vec![Tally::default(); parts.len()];
@@ -262,7 +249,7 @@ impl Meter {
         let names = parts.iter().map(|part| (AS_IT_IS, 32 * element.floats() as u32, *part));
         self.rows.extend(rows(names, &tallies, measure, Some(file)));
         self.note(file, &fit);
-        Ok(tallies[0].errors(measure).map(|errors| errors.sizes))
+        Ok(tallies[0].errors(measure).map(|errors| errors.sizes[0]))
     }
 
     /// The errors measured.
@@ -424,20 +411,18 @@ impl Tally {
     }
 
     fn errors(&self, measure: Measure) -> Option<Errors> {
-        let worst = self.worst.clone()?;
-        let [mean, median, p99] = [self.sum / self.count as f64, self.quantile(0.5), self.quantile(0.99)];
-        let sizes = match measure {
-            Measure::Relative => Sizes::Relative {
-                mean_relative: mean,
-                median_relative: median,
-                p99_relative: p99,
-                max_relative: self.max,
-            },
-            Measure::Angle | Measure::Axis => {
-                Sizes::Degrees { mean_deg: mean, median_deg: median, p99_deg: p99, max_deg: self.max }
-            }
-        };
-        Some(Errors { sizes, worst })
+        let mean = self.sum / self.count as f64;
+        let sizes @ [mean, median, p99, max] = [mean, self.quantile(0.5), self.quantile(0.99), self.max];
+        let degrees = Degrees { mean_deg: mean, median_deg: median, p99_deg: p99, max_deg: max };
+        let relative =
+            Relative { mean_relative: mean, median_relative: median, p99_relative: p99, max_relative: max };
+        let is_relative = measure == Measure::Relative;
+        Some(Errors {
+            sizes,
+            degrees: (!is_relative).then_some(degrees),
+            relative: is_relative.then_some(relative),
+            worst: self.worst.clone()?,
+        })
     }
 
     /// The middle of the bin of the least error that this part of all do not exceed.

@@ -9,7 +9,7 @@ use unitvec_catalogue::{AnyCodec, Domain, Element, Measure, RECOMMENDED, Recomme
 use unitvec_files::shown;
 use unitvec_host::fit::Fit;
 use unitvec_host::input::{Elements, FileName, Kind};
-use unitvec_host::loss::{AS_IT_IS, Meter, Quantised, Report, Row, Sizes, Worst};
+use unitvec_host::loss::{AS_IT_IS, Meter, Quantised, Report, Row, Worst};
 use unitvec_host::raw::Dtype;
 use unitvec_host::stream::Named;
 use unitvec_host::{Error, Result};
@@ -123,12 +123,10 @@ fn compare(meter: &mut Meter, original: &Path, made: &Path, kind: Kind) -> Resul
             "{second} has {b} {unit}, and {first} {a}: compare files whose vertices were not joined, split or left out"
         )));
     }
-    let sizes = meter
+    let mean = meter
         .compare(Named::new(original, &mut of_original.floats), Named::new(made, &mut of_made.floats))?;
-    let is_far = sizes.is_some_and(|sizes| match sizes {
-        Sizes::Degrees { mean_deg, .. } => mean_deg > FAR_DEG,
-        Sizes::Relative { mean_relative, .. } => mean_relative > FAR_DEG.to_radians(),
-    });
+    let far = if meter.kind() == Measure::Relative { FAR_DEG.to_radians() } else { FAR_DEG };
+    let is_far = mean.is_some_and(|mean| mean > far);
     Ok(is_far.then(|| format!("{second} is far from {first}: are its vectors in the same order?")))
 }
 
@@ -208,7 +206,7 @@ fn text(report: &Report, kind: Measure, columns: Option<usize>) -> String {
 }
 
 fn cells(row: &Row, columns: Option<usize>) -> [String; 11] {
-    let sizes = row.errors.as_ref().map(|errors| errors.sizes.to_array().map(degrees));
+    let sizes = row.errors.as_ref().map(|errors| errors.sizes.map(degrees));
     let [mean, median, p99, max] = sizes.unwrap_or([(); 4].map(|()| "-".to_owned()));
     [
         file(row, columns),
