@@ -120,6 +120,7 @@ fn schemas_describe_what_is_written() {
         ("normals", format!("{mesh} {back}")),
         ("snap", format!("--for oct16 {mesh} {back}")),
         ("error", format!("--codec oct16 {mesh}")),
+        ("error", format!("--codec vector32 {mesh}")),
         ("choose", "--bits 16".into()),
         ("accuracy", "--count 10 --table 3".into()),
         ("conform", "--count 10 --codec oct16,frame32".into()),

@@ -2,12 +2,14 @@
 
 use glam::{Vec2, Vec3};
 use half::f16;
+use serde_json::Value;
 use unitvec::codec::RawCode;
 use unitvec::*;
 use unitvec_oracle::{Summary, length};
 use unitvec_run::sampling::special_vectors;
 use unitvec_tests::checks::LENGTH_ROUNDING;
 use unitvec_tests::directions::{AXES, Rng, near_octant_middles, near_planes, sphere, usable};
+use unitvec_tests::program::{refusal, run, run_with_input, stderr, stdout};
 use unitvec_tests::tested::widen;
 
 /// The code as one number.
@@ -251,6 +253,120 @@ fn relative_errors_are_those_stated() {
     check(|v| v.to_array().map(|t| f16::from_f32(t).to_f32()).into(), [0.000191, 0.000545], 1.0);
 }
 
+/// The bytes of the floats of vectors.
+fn raw(vectors: &[Vec3]) -> Vec<u8> {
+    vectors.iter().flat_map(|v| v.to_array()).flat_map(f32::to_le_bytes).collect()
+}
+
+/// Vectors of any length, with those that have no direction or are out of the range.
+fn of_any_length() -> Vec<Vec3> {
+    let out = [0.0, -0.0, 1e-9, 1e9, f32::NAN, f32::INFINITY].map(|x| Vec3::new(0.0, x, 0.0));
+    long_and_short(76, 5000).chain(out).collect()
+}
+
+/// The program's codes and vectors have the bits of the library's functions: in files that tell their codec, in arrays of
+/// NumPy, in streams.
+#[test]
+fn the_program_has_wrapped_codecs() {
+    fn check<C: Codec>(id: &str) {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+        let vectors = of_any_length();
+        let codes = |vectors: &[Vec3]| -> Vec<u8> {
+            vectors.iter().flat_map(|v| number::<C>(*v).to_le_bytes()[..C::BYTES].to_vec()).collect()
+        };
+        let decoded: Vec<Vec3> = vectors.iter().map(|v| round_trip::<C>(*v)).collect();
+        let succeeds = |arguments: &[&str]| assert!(run(arguments).status.success(), "{arguments:?}");
+        let made = run_with_input(["encode", "--codec", id, "-", "-"], &raw(&vectors)).stdout;
+        assert!(made == codes(&vectors), "{id}");
+        assert!(run_with_input(["decode", "--codec", id, "-", "-"], &made).stdout == raw(&decoded), "{id}");
+        std::fs::write(path("a.f32"), raw(&vectors)).unwrap();
+        succeeds(&["encode", "--codec", id, &path("a.f32"), &path("b.uvec")]);
+        succeeds(&["decode", &path("b.uvec"), &path("c.npy")]);
+        succeeds(&["encode", "--codec", id, &path("c.npy"), &path("d.npy")]);
+        for (file, bytes) in
+            [("b.uvec", codes(&vectors)), ("c.npy", raw(&decoded)), ("d.npy", codes(&decoded))]
+        {
+            assert!(std::fs::read(path(file)).unwrap().ends_with(&bytes), "{id}: {file}");
+        }
+        assert!(run(["decode", "--codec", id, &path("d.npy"), "-"]).stdout == raw(&decoded), "{id}");
+        let listed = stdout(&run(["codecs"]));
+        let is_it = |line: &&str| line.split_whitespace().take(2).eq([id, &C::BITS.to_string()]);
+        assert!(listed.lines().any(|line| is_it(&line)), "{listed}");
+    }
+    check::<Axial16>("axial16");
+    check::<Axial24>("axial24");
+    check::<Axial32>("axial32");
+    check::<Vector32>("vector32");
+    check::<Vector48>("vector48");
+}
+
+/// `unitvec error` measures axes by the angle between axes, and vectors with a length by `|d - v| / |v|`, within the bounds;
+/// files beside their originals, too, and codecs of directions beside those.
+#[test]
+fn the_program_measures_axes_and_lengths() {
+    fn relative(v: Vec3, d: Vec3) -> f64 {
+        let (v, d) = (widen(v), widen(d));
+        length([v[0] - d[0], v[1] - d[1], v[2] - d[2]]) / length(v)
+    }
+    fn check<C: Codec>(id: &str, unit: &str, bound: f32, error: fn(Vec3, Vec3) -> f64, left_out: usize) {
+        let folder = tempfile::tempdir().unwrap();
+        let paths = ["a.f32", "b.f32"].map(|name| folder.path().join(name).to_str().unwrap().to_owned());
+        let vectors: Vec<Vec3> = long_and_short(77, 5000).chain([Vec3::ZERO, Vec3::NAN]).collect();
+        let decoded: Vec<Vec3> = vectors.iter().map(|v| round_trip::<C>(*v)).collect();
+        std::fs::write(&paths[0], raw(&vectors)).unwrap();
+        std::fs::write(&paths[1], raw(&decoded)).unwrap();
+        let both = format!("{id},oct32p");
+        let arguments = ["error", "--json", "-", "--codec", &both, "--original", &paths[0], &paths[1]];
+        let report: Value = serde_json::from_slice(&run(arguments).stdout).unwrap();
+        let named = |name: &str| report["rows"].as_array().unwrap().iter().find(|row| row["id"] == name);
+        let of = |name: &str, f: fn(Vec3) -> Vec3| {
+            let exact = if left_out == 1 && f(Vec3::ZERO) == Vec3::ZERO { 1 } else { 0 };
+            let errors = vectors[..5000].iter().map(|v| error(*v, f(*v))).chain(vec![0.0; exact]);
+            let (expected, row) = (Summary::of(errors), named(name).unwrap());
+            let counts = [&row["count"], &row["left_out"]].map(|count| count.as_u64().unwrap() as usize);
+            assert_eq!(counts, [5000 + exact, 2 - exact], "{row}");
+            let found = ["mean", "max"].map(|what| row[format!("{what}_{unit}")].as_f64().unwrap());
+            let off = [found[0] / expected.mean - 1.0, found[1] / expected.max - 1.0];
+            assert!(off.iter().all(|off| off.abs() < 1e-6), "{expected:?}, {row}");
+            found
+        };
+        let [_, max] = of(id, round_trip::<C>);
+        assert!(max <= f64::from(bound) && max > 0.8 * f64::from(bound), "{id}: {max}, {bound}");
+        of("oct32p", round_trip::<OctPrecise32>);
+        of("as it is", round_trip::<C>);
+        assert_eq!(report["warnings"], serde_json::json!([]), "{id}");
+    }
+    check::<Axial16>("axial16", "deg", Axial16::MAX_ERROR_DEG, axes_apart, 2);
+    check::<Axial24>("axial24", "deg", Axial24::MAX_ERROR_DEG, axes_apart, 2);
+    check::<Vector32>("vector32", "relative", Vector32::MAX_RELATIVE_ERROR, relative, 1);
+    check::<Vector48>("vector48", "relative", Vector48::MAX_RELATIVE_ERROR, relative, 1);
+}
+
+/// What wrapped codecs are not for is refused in a line, and what is lost is told.
+#[test]
+fn the_program_tells_what_wrapped_codecs_are_for() {
+    for (line, words) in [
+        ("encode --codec axial12 a.f32 b", "did you mean axial16, axial24, axial32?"),
+        ("encode --codec vector32 --backend rust a.f32 b", "the CPU alone encodes vector32"),
+        ("encode --codec vector32 --null a.f32 b", ", vector32, vector48; of formats"),
+        ("error --codec axial16,vector32 a.f32", "one after the other"),
+        ("snap --for axial16 a.obj b.obj", "axial16 is not for directions"),
+        ("conform --codec axial16", "it is for `encode`, `decode` and `error` alone"),
+    ] {
+        let said = refusal(&run(line.split(' ')), 2);
+        assert!(said.contains(words), "{line}: {said}");
+    }
+    let told = |vectors: &[Vec3]| {
+        stderr(&run_with_input(["encode", "--codec", "vector32", "-", "-"], &raw(vectors)))
+    };
+    let line = "3 vectors, 2 without a direction (stored as zero or, infinite ones, with the greatest length; the first is \
+                number 1), lengths 1.000e-6 to 9.0000\n";
+    assert_eq!(told(&[Vec3::X * 9.0, Vec3::ZERO, Vec3::Y * 1e-6]), line);
+    assert_eq!(told(&[Vec3::X * 900.0]), "1 vector, 0 without a direction, lengths 900.0000 to 900.0000\n");
+    assert!(told(&[Vec3::X * 7e4]).contains("longer than the codec can store"));
+}
+
 /// GLSL gives Rust's bits, for vectors of all kinds and any codes.
 #[cfg(feature = "glsl")]
 #[test]
@@ -259,7 +375,7 @@ fn wrappers_in_glsl_have_the_bits_of_rust() {
     type Beside = WithLength<OctPrecise20, u32, 10, 32, -20>;
     type Encode = fn(Vec3) -> u32;
     type Decode = fn([u32; 3]) -> Vec3;
-    let encoders: [(&str, Encode); 12] = [
+    let encoders: [(&str, Encode); 11] = [
         ("axial16_encode(v)", Axial16::encode_vec3),
         ("axial24_encode(v)", Axial24::encode_vec3),
         ("axial32_encode(v)", Axial32::encode_vec3),
@@ -268,7 +384,6 @@ fn wrappers_in_glsl_have_the_bits_of_rust() {
         ("eqangle8_encode(v.xy)", |v| EqualAngle8::encode(v.truncate())),
         ("eqangle16_encode(v.xy)", |v| EqualAngle16::encode(v.truncate())),
         ("vector32_encode(v)", Vector32::encode_vec3),
-        ("vector32b_encode(v)", VectorBalanced32::encode_vec3),
         ("vector48_encode(v).x", |v| Vector48::encode_vec3(v)[0]),
         ("vector48_encode(v).y", |v| Vector48::encode_vec3(v)[1]),
         ("code_of_length(v, 10u, 32u, -20)", |v| Beside::encode_vec3(v) >> 20),
@@ -280,7 +395,7 @@ fn wrappers_in_glsl_have_the_bits_of_rust() {
         vectors(73).chain(long_and_short(74, 20_000)).map(|v| v.to_array().map(f32::to_bits)).collect();
     assert_same_words(&calls, &words);
 
-    let decoders: [(&str, Decode); 11] = [
+    let decoders: [(&str, Decode); 10] = [
         ("axial16_decode(w.x)", |w| Axial16::decode(w[0])),
         ("axial24_decode(w.x)", |w| Axial24::decode(w[0])),
         ("axial32_decode(w.x)", |w| Axial32::decode(w[0])),
@@ -289,7 +404,6 @@ fn wrappers_in_glsl_have_the_bits_of_rust() {
         ("vec3(eqangle8_decode(w.x), 0.0)", |w| EqualAngle8::decode::<Vec2>(w[0]).extend(0.0)),
         ("vec3(eqangle16_decode(w.x), 0.0)", |w| EqualAngle16::decode::<Vec2>(w[0]).extend(0.0)),
         ("vector32_decode(w.x)", |w| Vector32::decode(w[0])),
-        ("vector32b_decode(w.x)", |w| VectorBalanced32::decode(w[0])),
         ("vector48_decode(w.xy)", |w| Vector48::decode([w[0], w[1]])),
         ("vec3(0.0, 0.0, length_of_code(w.x, 10u, 32u, -20))", |w| Beside::decode(w[0] << 20)),
     ];

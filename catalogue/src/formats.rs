@@ -1,7 +1,7 @@
 //! Formats of other software as codecs.
 
 use crate::cpu::AnyFunctions;
-use crate::{AnyCodec, Element, UnknownCodec, find};
+use crate::{AnyCodec, Element, UnknownCodec, WRAPPED, find};
 use std::sync::LazyLock;
 use unitvec::Domain;
 use unitvec::interop::{FRAMES, Format, FrameFormat, RotationFormat, UnknownFormat};
@@ -102,14 +102,14 @@ impl AnyCodec {
     }
 }
 
-/// The codec of this name, as [`find`] takes it, or the format of other software, as [`Format::named`] and
+/// The codec of this name, as [`find`] takes it, one of [`WRAPPED`], or the format of other software, as [`Format::named`] and
 /// [`RotationFormat::named`] do.
 ///
 /// # Errors
 /// [`UnknownCodec`] if there is none, with the widths where only these are wrong.
 pub fn find_any(name: &str) -> Result<&'static AnyCodec, UnknownCodec> {
-    if let Some(format) = formats().iter().find(|format| format.id.eq_ignore_ascii_case(name)) {
-        return Ok(format);
+    if let Some(codec) = WRAPPED.iter().chain(formats()).find(|codec| codec.is_named(name)) {
+        return Ok(codec);
     }
     find(name).map_err(|error| match (Format::named(name).err(), RotationFormat::named(name).err()) {
         (Some(bits @ UnknownFormat::Bits { .. }), _) | (_, Some(bits @ UnknownFormat::Bits { .. })) => {

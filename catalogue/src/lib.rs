@@ -22,6 +22,7 @@ mod json;
 mod list;
 mod null;
 mod recommended;
+mod wrapped;
 
 use bytemuck::{cast_slice, cast_slice_mut};
 use cpu::{AnyFunctions, Functions, resized, with_functions};
@@ -30,9 +31,9 @@ use unitvec::direction::is_usable;
 use unitvec::interop::UnknownFormat;
 use unitvec::slice::machine::Level;
 use unitvec::slice::{EncodeAt, LengthMismatch, expect_length, par_decode_with, par_encode_with};
+use unitvec::{Codec, Listed, ListedFrame, ListedRotation, angle_deg, rotation_angle_deg};
 #[cfg(doc)]
-use unitvec::{Codec, FrameCodec, RotationCodec};
-use unitvec::{Listed, ListedFrame, ListedRotation, angle_deg, rotation_angle_deg};
+use unitvec::{FrameCodec, RotationCodec};
 
 pub use cpu::best_fit_table;
 pub use formats::{find_any, formats};
@@ -40,6 +41,7 @@ pub use list::{CODECS, directions, frames, rotations, vectors};
 pub use null::{NoNull, Null};
 pub use recommended::{Choice, FORMATS, Format, Measured, RECOMMENDED, Recommendation, Usage};
 pub use unitvec::Domain;
+pub use wrapped::{Measure, WRAPPED};
 
 /// A codec of vectors, frames or rotations: its properties and its CPU functions. Two codecs with one identifier are equal.
 #[derive(Clone, Copy, Debug)]
@@ -96,15 +98,25 @@ impl Hash for AnyCodec {
 impl AnyCodec {
     const fn of_vectors<C: Listed>() -> Self {
         Self {
-            id: C::NAME,
-            rust_type: C::RUST_TYPE,
             survey_name: C::SURVEY_NAME,
-            family: C::FAMILY,
+            vk_format: C::VK_FORMAT,
+            domain: C::DOMAIN,
+            ..Self::of_codec::<C>(C::NAME, C::RUST_TYPE, C::FAMILY)
+        }
+    }
+
+    /// A codec of vectors that is a type.
+    const fn of_codec<C: Codec>(id: &'static str, rust_type: &'static str, family: &'static str) -> Self {
+        Self {
+            id,
+            rust_type,
+            survey_name: id,
+            family,
             element: Element::Vector,
             bits: C::BITS,
             bytes: C::BYTES,
-            vk_format: C::VK_FORMAT,
-            domain: C::DOMAIN,
+            vk_format: None,
+            domain: Domain::Sphere,
             is_unit: C::IS_UNIT,
             exact_axes: C::EXACT_AXES,
             stable_across_devices: C::STABLE_ACROSS_DEVICES,
@@ -383,7 +395,10 @@ fn suggestion(name: &str) -> String {
     }
     let letters =
         |text: &str| text.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default().to_lowercase();
-    let close = CODECS.iter().map(|codec| codec.id).filter(|id| letters(id) == letters(name));
+    if WRAPPED.iter().any(|codec| codec.is_named(name)) {
+        return "it is for `encode`, `decode` and `error` alone; ".to_owned();
+    }
+    let close = CODECS.iter().chain(&WRAPPED).map(|codec| codec.id).filter(|id| letters(id) == letters(name));
     let close: Vec<&str> = close.collect();
     if close.is_empty() { String::new() } else { format!("did you mean {}? ", close.join(", ")) }
 }

@@ -1,6 +1,6 @@
 //! Null codes of codecs that are chosen at run time.
 
-use crate::{AnyCodec, vectors};
+use crate::{AnyCodec, WRAPPED, vectors};
 use unitvec::direction::{is_usable, l1_norm};
 use unitvec::glam::Vec3;
 use unitvec::slice::LengthMismatch;
@@ -27,7 +27,7 @@ fn with() -> String {
 
 /// The codecs of vectors without a null code.
 fn without() -> String {
-    let without = vectors().iter().filter(|codec| codec.null.is_none());
+    let without = vectors().iter().chain(&WRAPPED).filter(|codec| codec.null.is_none());
     without.map(|codec| codec.id).collect::<Vec<_>>().join(", ")
 }
 

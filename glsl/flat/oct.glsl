@@ -498,10 +498,8 @@ uint unitvec_oct_encode_precise(vec3 v, uint bits) {
     return unitvec_oct_usable_code(norm, unitvec_oct_pack(e, bits), bits);
 }
 uint oct20p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 20u); }
-uint oct24p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 24u); }
 uint oct32p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 32u); }
 vec3 oct20_decode(uint code) { return unitvec_oct_decode(code, 20u); }
-vec3 oct24_decode(uint code) { return unitvec_oct_decode(code, 24u); }
 vec3 oct32_decode(uint code) { return unitvec_oct_decode(code, 32u); }
 #endif
 #ifndef UNITVEC_HAS_OCT_POSITION
@@ -616,11 +614,13 @@ uint oct12p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 12u); }
 uint oct16p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 16u); }
 uint oct18p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 18u); }
 uint oct22p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 22u); }
+uint oct24p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 24u); }
 
 vec3 oct8_decode(uint code) { return unitvec_oct_decode(code, 8u); }
 vec3 oct12_decode(uint code) { return unitvec_oct_decode(code, 12u); }
 vec3 oct16_decode(uint code) { return unitvec_oct_decode(code, 16u); }
 vec3 oct18_decode(uint code) { return unitvec_oct_decode(code, 18u); }
+vec3 oct24_decode(uint code) { return unitvec_oct_decode(code, 24u); }
 
 vec3 oct8p_decode(uint code) { return oct8_decode(code); }
 vec3 oct12p_decode(uint code) { return oct12_decode(code); }

@@ -155,7 +155,7 @@ pub use list::*;
 pub use quat::RotationCodec;
 pub use wrap::angle::{Angle, Angle8, Angle16, EqualAngle8, EqualAngle16};
 pub use wrap::axial::{Axial, Axial16, Axial24, Axial32};
-pub use wrap::with_length::{Vector32, Vector48, VectorBalanced32, WithLength};
+pub use wrap::with_length::{Vector32, Vector48, WithLength};
 
 /// The traits, frames, and the types of all codecs. Unlike the crate itself it has no modules, and no [`glam`]: with
 /// `use unitvec::*` the name is ambiguous in programs that use a glam of their own.

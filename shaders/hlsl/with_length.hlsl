@@ -2,9 +2,8 @@
 //
 // unitvec: vectors with a length, a direction's code beside the logarithm of the length.
 //
-//   vector32_encode(v), vector32_decode(code)     oct24p and 8 bits of length, 8 steps an octave: 2^-16 to 2^15.75
-//   vector32b_encode(v), vector32b_decode(code)   oct20p and 12 bits, 128 steps an octave: 2^-16 to 2^15.98
-//   vector48_encode(v), vector48_decode(code)     oct32p and 16 bits, 2048 steps; codes are uint2, low word first
+//   vector32_encode(v), vector32_decode(code)   oct20p and 12 bits of length, 128 steps an octave: 2^-16 to 2^15.98
+//   vector48_encode(v), vector48_decode(code)   oct32p and 16 bits, 2048 steps; codes are uint2, low word first
 //
 // Beside any other codec of directions, with lengths near 2^(low + i / steps):
 //
@@ -94,12 +93,6 @@ float3 unitvec_lengthened(float3 direction, float len) {
 }
 
 uint vector32_encode(float3 v) {
-    uint len = code_of_length(v, 8u, 8u, -16);
-    uint code = oct24p_encode(with_reach(v)) | (len << 24u);
-    return len == 0u ? 0u : code;
-}
-
-uint vector32b_encode(float3 v) {
     uint len = code_of_length(v, 12u, 128u, -16);
     uint code = oct20p_encode(with_reach(v)) | (len << 20u);
     return len == 0u ? 0u : code;
@@ -112,10 +105,6 @@ uint2 vector48_encode(float3 v) {
 }
 
 float3 vector32_decode(uint code) {
-    return unitvec_lengthened(oct24_decode(code), length_of_code(code >> 24u, 8u, 8u, -16));
-}
-
-float3 vector32b_decode(uint code) {
     return unitvec_lengthened(oct20_decode(code), length_of_code(code >> 20u, 12u, 128u, -16));
 }
 

@@ -37,18 +37,8 @@ const OTHERS: [(&str, &str); 25] = [
 ];
 
 /// The formats of the wrappers, which encode and decode as codecs do.
-const WRAPPERS: [&str; 10] = [
-    "axial16",
-    "axial24",
-    "axial32",
-    "angle8",
-    "angle16",
-    "eqangle8",
-    "eqangle16",
-    "vector32",
-    "vector32b",
-    "vector48",
-];
+const WRAPPERS: [&str; 9] =
+    ["axial16", "axial24", "axial32", "angle8", "angle16", "eqangle8", "eqangle16", "vector32", "vector48"];
 
 /// All public functions besides those of the codecs, and their files.
 fn besides_codecs() -> Vec<(&'static str, String)> {

@@ -1,4 +1,4 @@
-//! Losses of files' vectors and frames to codecs: the angles between them and the decoded ones.
+//! Losses of files' vectors and frames to codecs: the angles between them and the decoded ones, or relative errors.
 
 use crate::fit::Fit;
 use crate::input::FileName;
@@ -8,7 +8,7 @@ use crate::{Error, Result};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::path::Path;
-use unitvec_catalogue::{AnyCodec, Element, angle_between_parts_deg, has_direction};
+use unitvec_catalogue::{AnyCodec, Element, Measure, angle_between_parts_deg, has_direction};
 use unitvec_run::backend::{Backend, CHUNK};
 
 /// The errors of one codec over one file, or over all of them.
@@ -19,32 +19,58 @@ pub struct Row {
     pub file: Option<FileName>,
     /// Codec; `as it is` for a file beside its original.
     pub id: &'static str,
-    /// The part that the errors are of: `vector`, or `normal` and `tangent` of frames.
+    /// The part that the errors are of: `vector`, `axis`, `rotation`, or `normal` and `tangent` of frames.
     pub part: &'static str,
     /// Bits of a code; those of its floats for a file beside its original.
     pub bits: u32,
     /// Vectors measured.
     pub count: u64,
-    /// Vectors left out, since they have no usable direction: zero, infinite, NaN; tangents of such a normal, too.
+    /// Vectors left out, since they have no usable direction: zero, infinite, NaN; tangents of such a normal, too. Relative
+    /// errors leave out those that are infinite or NaN, and zero where it does not come back as zero.
     pub left_out: u64,
     /// The errors; none where nothing was measured.
     #[serde(flatten)]
     pub errors: Option<Errors>,
 }
 
-/// Errors in degrees.
+/// Errors: angles, or relative ones.
 #[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
 pub struct Errors {
-    /// Mean.
-    pub mean_deg: f64,
-    /// The least error that half of all do not exceed, to within a 4096th.
-    pub median_deg: f64,
-    /// The least error that 99 % of all do not exceed, to within a 4096th.
-    pub p99_deg: f64,
-    /// Maximum.
-    pub max_deg: f64,
+    /// Mean, median, 99 % and maximum.
+    #[serde(skip)]
+    pub sizes: [f64; 4],
+    #[serde(flatten)]
+    degrees: Option<Degrees>,
+    #[serde(flatten)]
+    relative: Option<Relative>,
     /// The first vector with the maximum.
     pub worst: Worst,
+}
+
+/// Errors in degrees.
+#[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
+struct Degrees {
+    /// Mean.
+    mean_deg: f64,
+    /// The least error that half of all do not exceed, to within a 4096th.
+    median_deg: f64,
+    /// The least error that 99 % of all do not exceed, to within a 4096th.
+    p99_deg: f64,
+    /// Maximum.
+    max_deg: f64,
+}
+
+/// Errors `|d - v| / |v|` of vectors with a length, v, and the decoded ones, d.
+#[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
+struct Relative {
+    /// Mean of `|d - v| / |v|`.
+    mean_relative: f64,
+    /// The least relative error that half of all do not exceed, to within a 4096th.
+    median_relative: f64,
+    /// The least relative error that 99 % of all do not exceed, to within a 4096th.
+    p99_relative: f64,
+    /// Maximum of `|d - v| / |v|`.
+    max_relative: f64,
 }
 
 /// A vector and its decoded one.
@@ -92,6 +118,7 @@ pub const AS_IT_IS: &str = "as it is";
 pub struct Meter {
     formats: Vec<&'static AnyCodec>,
     element: Element,
+    measure: Measure,
     rows: Vec<Row>,
     /// The tallies for each format and each part.
     totals: Vec<Tally>,
@@ -102,19 +129,27 @@ impl Meter {
     /// Prepares to measure the losses to these codecs.
     ///
     /// # Errors
-    /// [`Error::Usage`] if some are of vectors and some of frames, or if there are none.
+    /// [`Error::Usage`] if some are of vectors and some of frames, if some are of axes and some of vectors with a length, or if
+    /// there are none.
     pub fn new(formats: Vec<&'static AnyCodec>) -> Result<Self> {
+        let refused = |words: &str| Error::Usage(format!("{words}; measure them one after the other"));
         let element = formats.first().map(|format| format.element);
-        match element.filter(|element| formats.iter().all(|format| format.element == *element)) {
-            Some(element) => {
-                let totals = vec![Tally::default(); formats.len() * parts(element).len()];
-                Ok(Self { formats, element, rows: Vec::new(), totals, quantised: Vec::new() })
-            }
-            None => Err(Error::Usage(
-                "codecs of vectors and of frames read different inputs; measure them one after the other"
-                    .to_owned(),
-            )),
+        let element = element.filter(|element| formats.iter().all(|format| format.element == *element));
+        let element =
+            element.ok_or_else(|| refused("codecs of vectors and of frames read different inputs"))?;
+        // Beside one of axes, a codec of directions is measured as if of axes.
+        let mut special = formats.iter().map(|format| format.measure()).filter(|m| *m != Measure::Angle);
+        let measure = special.next().unwrap_or_default();
+        if special.any(|other| other != measure) {
+            return Err(refused("axes and vectors with a length have errors of different kinds"));
         }
+        let totals = vec![Tally::default(); formats.len() * measure.parts(element).len()];
+        Ok(Self { formats, element, measure, rows: Vec::new(), totals, quantised: Vec::new() })
+    }
+
+    /// The kind of the errors measured.
+    pub fn kind(&self) -> Measure {
+        self.measure
     }
 
     /// The kind of element that the codecs encode.
@@ -134,8 +169,8 @@ impl Meter {
         input: Input<'_>,
         progress: &mut dyn FnMut(u64),
     ) -> Result<Option<Suspicion>> {
-        let (element, parts) = (self.element, parts(self.element));
-        let file = input.path;
+        let (element, measure, file) = (self.element, self.measure, input.path);
+        let parts = measure.parts(element);
         let mut tallies = vec![Tally::default(); self.totals.len()];
         let bytes = self.formats.iter().map(|format| format.bytes).max().unwrap_or(0);
         let mut codes = vec![0; CHUNK * bytes];
@@ -156,6 +191,7 @@ impl Meter {
                         id: format.id,
                         before,
                         element,
+                        measure,
                         part,
                         elements,
                         decoded,
@@ -165,10 +201,10 @@ impl Meter {
             progress(before + (elements.len() / element.floats()) as u64);
             Ok(())
         })?;
-        self.rows.extend(rows(names(&self.formats, element), &tallies, Some(file)));
+        self.rows.extend(rows(names(&self.formats, parts), &tallies, measure, Some(file)));
         self.totals.iter_mut().zip(tallies).for_each(|(total, tally)| total.merge(tally));
         self.note(file, &fit);
-        Ok(suspicion)
+        Ok(suspicion.filter(|_| measure != Measure::Relative))
     }
 
     fn note(&mut self, file: &Path, fit: &Fit) {
@@ -179,13 +215,14 @@ impl Meter {
     }
 
     /// Measures how far the vectors of a file are from those of its original, of which there are as many, in the same order.
-    /// Vectors that have no direction in one of them are left out. Returns the mean angle, of frames that of normals.
+    /// Vectors that cannot be measured in one of them are left out. Returns the mean error, of frames that of normals.
     ///
     /// # Errors
     /// [`Error::Truncated`] if the original ends within an element, and any error of reading, such as that the file ends
     /// before the original.
     pub fn compare(&mut self, original: Input<'_>, made: Input<'_>) -> Result<Option<f64>> {
-        let (element, parts, file) = (self.element, parts(self.element), made.path);
+        let (element, measure, file) = (self.element, self.measure, made.path);
+        let parts = measure.parts(element);
         let mut tallies = vec![Tally::default(); parts.len()];
         let (mut fit, mut decoded) = (Fit::default(), vec![0.0; CHUNK * element.floats()]);
         stream::for_each_chunk(original, element, &mut |originals, before| {
@@ -201,46 +238,41 @@ impl Meter {
                 let mut elements = originals.to_vec();
                 let pairs = elements.chunks_exact_mut(element.floats()).zip(decoded.chunks(element.floats()));
                 pairs
-                    .filter(|(_, made)| !has_direction(part_of(made, element, part)))
-                    .for_each(|(original, _)| original.fill(0.0));
+                    .filter(|(_, made)| !is_measured(part_of(made, element, part), measure))
+                    .for_each(|(original, _)| original.fill(f32::NAN));
                 let elements = &elements;
-                tally.add_all(&Chunk { file, id: AS_IT_IS, before, element, part, elements, decoded })?;
+                let id = AS_IT_IS;
+                tally.add_all(&Chunk { file, id, before, element, measure, part, elements, decoded })?;
             }
             Ok(())
         })?;
         let names = parts.iter().map(|part| (AS_IT_IS, 32 * element.floats() as u32, *part));
-        self.rows.extend(rows(names, &tallies, Some(file)));
+        self.rows.extend(rows(names, &tallies, measure, Some(file)));
         self.note(file, &fit);
-        Ok(tallies[0].errors().map(|errors| errors.mean_deg))
+        Ok(tallies[0].errors(measure).map(|errors| errors.sizes[0]))
     }
 
     /// The errors measured.
     pub fn report(self) -> Report {
-        let totals = rows(names(&self.formats, self.element), &self.totals, None).collect();
+        let names = names(&self.formats, self.measure.parts(self.element));
+        let totals = rows(names, &self.totals, self.measure, None).collect();
         let (rows, quantised) = (self.rows, self.quantised);
         Report { rows, totals, computed: Vec::new(), quantised, warnings: Vec::new() }
-    }
-}
-
-/// The vectors that an element has.
-fn parts(element: Element) -> &'static [&'static str] {
-    match element {
-        Element::Vector => &["vector"],
-        Element::Frame | Element::Rotation => element.directions(),
     }
 }
 
 /// The name, the bits and the part of each row.
 fn names(
     formats: &[&'static AnyCodec],
-    element: Element,
+    parts: &'static [&'static str],
 ) -> impl Iterator<Item = (&'static str, u32, &'static str)> {
-    formats.iter().flat_map(move |format| parts(element).iter().map(|part| (format.id, format.bits, *part)))
+    formats.iter().flat_map(move |format| parts.iter().map(|part| (format.id, format.bits, *part)))
 }
 
 fn rows(
     names: impl Iterator<Item = (&'static str, u32, &'static str)>,
     tallies: &[Tally],
+    measure: Measure,
     file: Option<&Path>,
 ) -> impl Iterator<Item = Row> {
     names.zip(tallies).map(move |((id, bits, part), tally)| Row {
@@ -250,7 +282,7 @@ fn rows(
         bits,
         count: tally.count,
         left_out: tally.left_out,
-        errors: tally.errors(),
+        errors: tally.errors(measure),
     })
 }
 
@@ -260,17 +292,32 @@ struct Chunk<'a> {
     id: &'static str,
     before: u64,
     element: Element,
+    measure: Measure,
     part: usize,
     elements: &'a [f32],
     decoded: &'a [f32],
 }
 
 impl Chunk<'_> {
-    /// The error of each element's vector; `None` where it, or the normal of a tangent, has no usable direction.
+    /// The error of each element's vector; `None` where it, or the normal of a tangent, cannot be measured.
     fn errors(&self) -> Vec<Option<f64>> {
         let floats = self.element.floats();
         let pairs = self.elements.par_chunks_exact(floats).zip(self.decoded.par_chunks_exact(floats));
-        pairs.map(|(original, decoded)| error(original, decoded, self.element, self.part)).collect()
+        pairs.map(|(original, decoded)| self.error(original, decoded)).collect()
+    }
+
+    fn error(&self, original: &[f32], decoded: &[f32]) -> Option<f64> {
+        let mut parts = self.element.parts(original).take(self.part + 1);
+        if !parts.all(|part| is_measured(part, self.measure)) {
+            return None;
+        }
+        let [v, d] = [original, decoded].map(|floats| part_of(floats, self.element, self.part));
+        let angle = || angle_between_parts_deg(v, d);
+        match self.measure {
+            Measure::Angle => Some(angle()),
+            Measure::Axis => Some(90.0 - (angle() - 90.0).abs()),
+            Measure::Relative => relative_error(v, d),
+        }
     }
 
     fn worst(&self, at: usize) -> Worst {
@@ -291,18 +338,26 @@ fn part_of(floats: &[f32], element: Element, part: usize) -> &[f32] {
     &floats[each * part..][..each]
 }
 
-fn error(original: &[f32], decoded: &[f32], element: Element, part: usize) -> Option<f64> {
-    let of = |floats| part_of(floats, element, part);
-    let is_usable = element.parts(original).take(part + 1).all(has_direction);
-    is_usable.then(|| angle_between_parts_deg(of(original), of(decoded)))
+/// True where a part of an element has what is measured: a usable direction or, for relative errors, finite components.
+fn is_measured(part: &[f32], measure: Measure) -> bool {
+    if measure == Measure::Relative { part.iter().all(|c| c.is_finite()) } else { has_direction(part) }
+}
+
+/// `|d - v| / |v|`: 0 where both are zero, and nothing where only v is.
+fn relative_error(v: &[f32], d: &[f32]) -> Option<f64> {
+    let length = |of: fn(f64, f64) -> f64| {
+        v.iter().zip(d).map(|(v, d)| of((*v).into(), (*d).into()).powi(2)).sum::<f64>().sqrt()
+    };
+    let (off, length) = (length(|v, d| d - v), length(|v, _| v));
+    if off == 0.0 { Some(0.0) } else { (length > 0.0).then(|| off / length) }
 }
 
 /// Low bits of an error, as f32, that its bin disregards: the bins are 2^-11 of their errors wide, so that their middles
 /// are no more than 2^-12 off.
 const BIN_SHIFT: u32 = 12;
 
-/// Bins of errors of up to 180 degrees.
-const BINS: usize = (180f32.to_bits() >> BIN_SHIFT) as usize + 1;
+/// Bins of errors of any size: relative ones have no greatest.
+const BINS: usize = (f32::INFINITY.to_bits() >> BIN_SHIFT) as usize + 1;
 
 #[derive(Clone, Default)]
 struct Tally {
@@ -355,12 +410,17 @@ impl Tally {
         }
     }
 
-    fn errors(&self) -> Option<Errors> {
+    fn errors(&self, measure: Measure) -> Option<Errors> {
+        let mean = self.sum / self.count as f64;
+        let sizes @ [mean, median, p99, max] = [mean, self.quantile(0.5), self.quantile(0.99), self.max];
+        let degrees = Degrees { mean_deg: mean, median_deg: median, p99_deg: p99, max_deg: max };
+        let relative =
+            Relative { mean_relative: mean, median_relative: median, p99_relative: p99, max_relative: max };
+        let is_relative = measure == Measure::Relative;
         Some(Errors {
-            mean_deg: self.sum / self.count as f64,
-            median_deg: self.quantile(0.5),
-            p99_deg: self.quantile(0.99),
-            max_deg: self.max,
+            sizes,
+            degrees: (!is_relative).then_some(degrees),
+            relative: is_relative.then_some(relative),
             worst: self.worst.clone()?,
         })
     }

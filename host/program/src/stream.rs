@@ -4,7 +4,7 @@ use crate::raw::{Suspicion, read_until_full, suspicion, swap_if_big_endian};
 use crate::{Error, Result};
 use std::io::{Read, Write};
 use std::path::Path;
-use unitvec_catalogue::{AnyCodec, Domain, Element, Null, has_direction};
+use unitvec_catalogue::{AnyCodec, Domain, Element, Measure, Null, has_direction};
 use unitvec_run::backend::{Backend, CHUNK};
 
 /// An input or an output with the path that its errors name.
@@ -50,8 +50,8 @@ pub struct Counts {
     /// Vectors, frames or rotations.
     pub elements: u64,
     /// Vectors, rotations, or normals of frames, without a direction that codecs can use (see [`has_direction`]); in codes also
-    /// those with nothing to store: -Z for a codec of the hemisphere, components that all round to 0. Stored as +Z, rotations as
-    /// the identity.
+    /// those with nothing to store: -Z for a codec of the hemisphere, components or lengths that round to 0. Stored as +Z,
+    /// rotations as the identity, vectors with a length as 0 unless they are infinite.
     pub no_direction: Places,
     /// Vectors without a direction that were stored as the null code.
     pub nulls: u64,
@@ -93,8 +93,8 @@ impl Counts {
         before
     }
 
-    /// Counts vectors and their codes.
-    fn add_vectors(&mut self, format: &AnyCodec, z_code: &[u8], floats: &[f32], codes: &[u8]) {
+    /// Counts vectors and their codes. `no_code` is that of a vector without a direction.
+    fn add_vectors(&mut self, format: &AnyCodec, no_code: &[u8], floats: &[f32], codes: &[u8]) {
         let before = self.add_normals(Element::Vector, floats);
         let is_raw = keeps_lengths(format);
         let with_direction = vectors(Element::Vector, floats, 0)
@@ -105,7 +105,7 @@ impl Counts {
             let is_below = format.domain == Domain::Hemisphere && vector[2] < 0.0;
             // A vector along +Z has raw components of 1/2 at least where its code is +Z's.
             let is_small = is_raw && vector.iter().all(|component| component.abs() < 0.5);
-            if code == z_code && (is_below || is_small) {
+            if code == no_code && (is_below || is_small) {
                 self.no_direction.add(at);
             } else if is_below {
                 self.below += 1;
@@ -127,7 +127,7 @@ fn vectors(element: Element, floats: &[f32], at: usize) -> impl Iterator<Item = 
     floats.chunks_exact(element.floats()).map(move |e| [e[at], e[at + 1], e[at + 2]])
 }
 
-/// True for codecs that store components as given, so that a vector's length is kept, or is lost with small ones.
+/// True for codecs that store a length, or components as given, so that small vectors are lost.
 pub fn keeps_lengths(format: &AnyCodec) -> bool {
     !format.is_unit && format.family != "best_fit" && !format.is_format()
 }
@@ -156,9 +156,9 @@ pub fn encode(
 ) -> Result<Counts> {
     let mut codes = vec![0; CHUNK * format.bytes];
     let mut turned_codes = codes.clone();
-    let mut z_code = vec![0; format.bytes];
+    let mut no_code = vec![0; format.bytes];
     if format.element == Element::Vector {
-        format.encode_cpu(&[0.0, 0.0, 1.0], &mut z_code)?;
+        format.encode_cpu(&[0.0; 3], &mut no_code)?;
     }
     let mut done = Counts::default();
     let suspicion = for_each_chunk(input, format.element, &mut |elements, _| {
@@ -167,7 +167,7 @@ pub fn encode(
         done.nulls += null.map_or(Ok(0), |null| null.put(elements, codes))?;
         write(&mut output, codes)?;
         match format.element {
-            Element::Vector => done.add_vectors(format, &z_code, elements, codes),
+            Element::Vector => done.add_vectors(format, &no_code, elements, codes),
             Element::Rotation => done.add(Element::Rotation, elements),
             Element::Frame => {
                 let turned_codes = &mut turned_codes[..codes.len()];
@@ -178,7 +178,7 @@ pub fn encode(
         progress(done.elements);
         Ok(())
     })?;
-    Ok(Counts { suspicion, ..done })
+    Ok(Counts { suspicion: suspicion.filter(|_| format.measure() != Measure::Relative), ..done })
 }
 
 /// Reads raw vectors or frames until the input ends, and hands on at most [`CHUNK`] of them at a time, with the number

@@ -6,8 +6,8 @@
 //!
 //! | format | direction | bits of length | S | lengths | relative error, mean | max | bound |
 //! |---|---|---|---|---|---|---|---|
-//! | `vector32` | [`oct24p`](crate::oct) | 8 | 8 | 2^-16 to 2^15.75 | 0.0217 | 0.0443 | 0.0447 |
-//! | `vector32b` | [`oct20p`](crate::oct) | 12 | 128 | 2^-16 to 2^15.98 | 0.00204 | 0.00378 | 0.00390 |
+//! | `vector32` | [`oct20p`](crate::oct) | 12 | 128 | 2^-16 to 2^15.98 | 0.00204 | 0.00378 | 0.00390 |
+//! | `WithLength<OctPrecise<24>, u32, 8, 8, -16>` | `oct24p` | 8 | 8 | 2^-16 to 2^15.75 | 0.0217 | 0.0443 | 0.0447 |
 //! | signed R9G9B9E5 | | | | | 0.00225 | 0.00637 | |
 //! | `vector48` | [`oct32p`](crate::oct) | 16 | 2048 | 2^-16 to 2^15.999 | 8.95e-5 | 0.000175 | 0.000177 |
 //! | three halves | | | | | 0.000191 | 0.000545 | |
@@ -18,7 +18,7 @@
 //!
 //! * Bound: with an angle `a` between them, and d longer than v by the part e, `|d - v|^2 / |v|^2` is
 //!   `e^2 + (1 + e) (2 sin(a / 2))^2`, so that the error is at most `sqrt(e^2 + (1 + e) a^2)`.
-//! * `vector32b` balances the two parts. `vector32` is for those to whom the direction matters more.
+//! * `vector32` and `vector48` balance the two parts. 24 + 8 bits are for those to whom the direction matters more.
 //! * Layout: the direction's code in the low bits, above it 0 for the zero vector or `i + 1`. More than 32 bits are two
 //!   words, low word first.
 //! * Exact: zero, and vectors along the axes whose length is a power of two in the range.
@@ -109,11 +109,8 @@ fn within_reach(v: Vec3, norm: f32) -> Vec3 {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct WithLength<C, W, const LENGTH_BITS: u32, const STEPS: u32, const LOW: i32>(PhantomData<(C, W)>);
 
-/// Vectors of lengths up to 2^15.75 in 32 bits: 24 of direction, 8 of length. See the [module](self).
-pub type Vector32 = WithLength<OctPrecise<24>, u32, 8, 8, -16>;
-/// Vectors of lengths up to 2^15.98 in 32 bits: 20 of direction, 12 of length, which balances their errors. See the
-/// [module](self).
-pub type VectorBalanced32 = WithLength<OctPrecise<20>, u32, 12, 128, -16>;
+/// Vectors of lengths up to 2^15.98 in 32 bits: 20 of direction, 12 of length. See the [module](self).
+pub type Vector32 = WithLength<OctPrecise<20>, u32, 12, 128, -16>;
 /// Vectors of lengths up to 2^15.999 in 48 bits: 32 of direction, 16 of length. See the [module](self).
 pub type Vector48 = WithLength<OctPrecise<32>, [u32; 2], 16, 2048, -16>;
 

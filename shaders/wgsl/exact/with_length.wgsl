@@ -7,9 +7,8 @@
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
 // compilers do not fuse or reorder operations; quotients and roots are put right.
 //
-//   vector32_encode(v), vector32_decode(code)     oct24p and 8 bits of length, 8 steps an octave: 2^-16 to 2^15.75
-//   vector32b_encode(v), vector32b_decode(code)   oct20p and 12 bits, 128 steps an octave: 2^-16 to 2^15.98
-//   vector48_encode(v), vector48_decode(code)     oct32p and 16 bits, 2048 steps; codes are vec2u, low word first
+//   vector32_encode(v), vector32_decode(code)   oct20p and 12 bits of length, 128 steps an octave: 2^-16 to 2^15.98
+//   vector48_encode(v), vector48_decode(code)   oct32p and 16 bits, 2048 steps; codes are vec2u, low word first
 //
 // Beside any other codec of directions, with lengths near 2^(low + i / steps):
 //
@@ -99,12 +98,6 @@ fn unitvec_lengthened(direction: vec3f, len: f32) -> vec3f {
 }
 
 fn vector32_encode(v: vec3f) -> u32 {
-    let len = code_of_length(v, 8u, 8u, -16);
-    let code = oct24p_encode(with_reach(v)) | (len << 24u);
-    return select(code, 0u, len == 0u);
-}
-
-fn vector32b_encode(v: vec3f) -> u32 {
     let len = code_of_length(v, 12u, 128u, -16);
     let code = oct20p_encode(with_reach(v)) | (len << 20u);
     return select(code, 0u, len == 0u);
@@ -117,10 +110,6 @@ fn vector48_encode(v: vec3f) -> vec2u {
 }
 
 fn vector32_decode(code: u32) -> vec3f {
-    return unitvec_lengthened(oct24_decode(code), length_of_code(code >> 24u, 8u, 8u, -16));
-}
-
-fn vector32b_decode(code: u32) -> vec3f {
     return unitvec_lengthened(oct20_decode(code), length_of_code(code >> 20u, 12u, 128u, -16));
 }
 

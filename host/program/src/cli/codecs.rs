@@ -4,7 +4,7 @@ use clap::Args;
 use std::fmt::Display;
 use std::process::ExitCode;
 use unitvec::interop::{FRAMES, ROTATIONS, ROWS};
-use unitvec_catalogue::{AnyCodec, CODECS, Domain, frames, rotations, vectors};
+use unitvec_catalogue::{AnyCodec, CODECS, Domain, WRAPPED, frames, rotations, vectors};
 use unitvec_host::Result;
 
 #[derive(Args)]
@@ -64,7 +64,8 @@ fn tables(columns: Option<usize>) -> String {
     let of_frames =
         of_others("codec of frames", &[("normal bound (deg)", 22), ("tangent bound (deg)", 23)], columns);
     let of_rotations = of_others("codec of rotations", &[("bound (deg)", 22)], columns);
-    for (layout, codecs) in [(&of_frames, frames()), (&of_rotations, rotations())] {
+    let of_wrapped = of_others("axes, lengths", &[("bound (deg)", 22)], columns);
+    for (layout, codecs) in [(&of_frames, frames()), (&of_rotations, rotations()), (&of_wrapped, &WRAPPED)] {
         text += &format!("\n{}", layout.heading());
         text.extend(codecs.iter().map(|codec| line_of_other(layout, codec)));
     }
@@ -78,7 +79,7 @@ fn tables(columns: Option<usize>) -> String {
     let words = format!("\nformats of other software, for encode, decode, error and snap: {names}\n");
     // A list has no columns to show: lines of a length that is easy to read, on any terminal.
     let wrapped = table::wrapped(&words, "    ", Some(columns.map_or(100, |columns| columns.min(100))));
-    text + &wrapped + &table::left_out(&[&of_vectors, &of_frames, &of_rotations])
+    text + &wrapped + &table::left_out(&[&of_vectors, &of_frames, &of_rotations, &of_wrapped])
 }
 
 /// The columns of codecs of other elements than vectors, with these bounds.

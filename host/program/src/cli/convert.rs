@@ -322,7 +322,7 @@ type Convert<T> = fn(
 ) -> Result<T>;
 
 impl Work {
-    /// Refuses a format of other software on a GPU.
+    /// Refuses what no GPU encodes.
     fn check(&self, format: &AnyCodec) -> Result<()> {
         super::check_backend(format, self.backend)
     }

@@ -5,11 +5,11 @@ use clap::Args;
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use unitvec_catalogue::{AnyCodec, Domain, Element, RECOMMENDED, Recommendation, find, find_any};
+use unitvec_catalogue::{AnyCodec, Domain, Element, Measure, RECOMMENDED, Recommendation, find, find_any};
 use unitvec_files::shown;
 use unitvec_host::fit::Fit;
 use unitvec_host::input::{Elements, FileName, Kind};
-use unitvec_host::loss::{AS_IT_IS, Errors, Meter, Quantised, Report, Row, Worst};
+use unitvec_host::loss::{AS_IT_IS, Meter, Quantised, Report, Row, Worst};
 use unitvec_host::raw::Dtype;
 use unitvec_host::stream::Named;
 use unitvec_host::{Error, Result};
@@ -19,7 +19,8 @@ use unitvec_run::backend::BackendKind;
 pub struct Arguments {
     /// Codec, or format of other software, as `unitvec codecs` lists them; may be given again: all of vectors, or all of
     /// frames. If none is given, those that the README recommends for vectors in any direction. A format has a row for its
-    /// own software's encoder, and one for the nearest codes.
+    /// own software's encoder, and one for the nearest codes. One of axes has all measured as axes, one of vectors with a
+    /// length all by |d - v| / |v|.
     #[arg(long, visible_alias = "format", value_name = "ID,...", value_delimiter = ',')]
     codec: Vec<String>,
     /// File that FILE was made from, with as many vectors in the same order: measure how far FILE's are from it, and what
@@ -103,8 +104,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     if let Some(original) = original {
         warnings.extend(compare(&mut meter, original, made, kind)?);
     }
+    let kind = meter.kind();
     let report = Report { computed, warnings, ..meter.report() };
-    arguments.json.write_or_print(&report, || text(&report, columns))?;
+    arguments.json.write_or_print(&report, || text(&report, kind, columns))?;
     Ok(open.close())
 }
 
@@ -123,7 +125,8 @@ fn compare(meter: &mut Meter, original: &Path, made: &Path, kind: Kind) -> Resul
     }
     let mean = meter
         .compare(Named::new(original, &mut of_original.floats), Named::new(made, &mut of_made.floats))?;
-    let is_far = mean.is_some_and(|mean| mean > FAR_DEG);
+    let far = if meter.kind() == Measure::Relative { FAR_DEG.to_radians() } else { FAR_DEG };
+    let is_far = mean.is_some_and(|mean| mean > far);
     Ok(is_far.then(|| format!("{second} is far from {first}: are its vectors in the same order?")))
 }
 
@@ -149,7 +152,7 @@ fn formats(ids: &[String]) -> Result<Vec<&'static AnyCodec>> {
 /// Characters of a file's name that a terminal shows.
 const SHOWN: usize = 24;
 
-fn text(report: &Report, columns: Option<usize>) -> String {
+fn text(report: &Report, kind: Measure, columns: Option<usize>) -> String {
     // The total of one file says nothing new.
     let of_codecs = report.rows.iter().filter(|row| row.id != AS_IT_IS).count();
     let totals = report.totals.iter().filter(|_| of_codecs > report.totals.len());
@@ -173,7 +176,16 @@ fn text(report: &Report, columns: Option<usize>) -> String {
         ],
         columns,
     );
-    let mut text = wrapped("errors in degrees, over the vectors that have a direction\n", "", columns);
+    let heading = match kind {
+        Measure::Angle => "errors in degrees, over the vectors that have a direction\n",
+        Measure::Axis => {
+            "errors in degrees, of axes: v and -v are alike, over the vectors that have a direction\n"
+        }
+        Measure::Relative => {
+            "errors |d - v| / |v| of vectors v and the decoded ones, d, over the finite vectors\n"
+        }
+    };
+    let mut text = wrapped(heading, "", columns);
     text += &layout.heading();
     rows.iter().for_each(|cells| text += &layout.line(&cells.each_ref().map(|cell| cell as &dyn Display)));
     for words in &report.warnings {
@@ -194,9 +206,8 @@ fn text(report: &Report, columns: Option<usize>) -> String {
 }
 
 fn cells(row: &Row, columns: Option<usize>) -> [String; 11] {
-    let number = |of: fn(&Errors) -> f64| {
-        row.errors.as_ref().map_or_else(|| "-".to_owned(), |errors| degrees(of(errors)))
-    };
+    let sizes = row.errors.as_ref().map(|errors| errors.sizes.map(degrees));
+    let [mean, median, p99, max] = sizes.unwrap_or([(); 4].map(|()| "-".to_owned()));
     [
         file(row, columns),
         row.id.to_owned(),
@@ -204,10 +215,10 @@ fn cells(row: &Row, columns: Option<usize>) -> [String; 11] {
         row.bits.to_string(),
         row.count.to_string(),
         row.left_out.to_string(),
-        number(|errors| errors.mean_deg),
-        number(|errors| errors.median_deg),
-        number(|errors| errors.p99_deg),
-        number(|errors| errors.max_deg),
+        mean,
+        median,
+        p99,
+        max,
         worst(row),
     ]
 }

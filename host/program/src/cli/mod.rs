@@ -468,14 +468,10 @@ fn chosen_formats(ids: &[String]) -> Result<Vec<&'static AnyCodec>> {
     Ok(chosen)
 }
 
-/// Refuses a format of other software on a GPU.
+/// Refuses a format of other software, or a wrapped codec, on a GPU.
 fn check_backend(format: &AnyCodec, backend: BackendKind) -> Result<()> {
-    if format.is_format() && backend != BackendKind::Cpu {
-        let words = format!(
-            "{} is a format of other software, which the CPU alone encodes; leave --backend out",
-            format.id
-        );
-        return Err(Error::Usage(words));
+    if !CODECS.contains(format) && backend != BackendKind::Cpu {
+        return Err(Error::Usage(format!("the CPU alone encodes {}; leave --backend out", format.id)));
     }
     Ok(())
 }

@@ -11,7 +11,7 @@ use std::path::{Component, Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 use unitvec::angle_deg;
-use unitvec_catalogue::{AnyCodec, Domain, Element, find_any};
+use unitvec_catalogue::{AnyCodec, Domain, Element, Measure, find_any};
 use unitvec_files::{Output, check_unused, is_stdout, note_read};
 use unitvec_host::input::Input;
 use unitvec_host::{Error, Result};
@@ -33,8 +33,8 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let codec = find_any(&arguments.codec)?;
-    if codec.element == Element::Rotation {
-        let words = format!("{} stores rotations, and `snap` moves normals and tangents", codec.id);
+    if codec.element == Element::Rotation || codec.measure() != Measure::Angle {
+        let words = format!("{} is not for directions, and `snap` moves normals and tangents", codec.id);
         return Err(Error::Usage(words));
     }
     let pairs = pairs(&arguments.meshes.r#in, &arguments.out, is_mesh, None)?;

@@ -7,7 +7,7 @@ use serde::Serialize;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use unitvec_catalogue::{AnyCodec, Domain, Element};
+use unitvec_catalogue::{AnyCodec, Domain, Element, Measure};
 use unitvec_files::shown;
 use unitvec_host::Result;
 use unitvec_host::input::FileName;
@@ -145,7 +145,7 @@ pub struct Summary {
     /// Vectors with z < 0, which a codec of the hemisphere moved up to z = 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     below_equator: Option<u64>,
-    /// True where the codec stores components as given, clamped; absent where nothing was encoded.
+    /// True where the codec stores a length, or components as given, clamped; absent where nothing was encoded.
     #[serde(skip_serializing_if = "Option::is_none")]
     keeps_lengths: Option<bool>,
     /// Computed normals without a direction, in whose place `normals` wrote +Z.
@@ -156,6 +156,8 @@ pub struct Summary {
     stored_as_null: Option<u64>,
     #[serde(flatten)]
     mesh: Option<MeshSummary>,
+    #[serde(skip)]
+    measure: Measure,
 }
 
 /// The mesh that was read.
@@ -190,6 +192,7 @@ impl Summary {
             filled: None,
             stored_as_null: None,
             mesh: None,
+            measure: Measure::Angle,
         }
     }
 
@@ -209,14 +212,20 @@ impl Summary {
 
     /// The summary of `unitvec encode`.
     pub fn of_encoding(format: &AnyCodec, counts: Counts, parts: Option<Vec<Part>>) -> Self {
-        let is_clamped = keeps_lengths(format) && counts.lengths.is_some_and(|[_, most]| most > 1.01);
+        let measure = format.measure();
+        let has_length = measure == Measure::Relative;
+        let greatest = if has_length { greatest_length(format) } else { 1.0 };
+        let is_clamped =
+            keeps_lengths(format) && counts.lengths.is_some_and(|[_, most]| most > 1.01 * greatest);
+        let is_lost = 2 * (counts.no_direction.count - counts.nulls) > counts.elements;
         let lost = [
-            (
-                2 * (counts.no_direction.count - counts.nulls) > counts.elements,
-                "most of them have no direction",
-            ),
+            (is_lost && !has_length, "most of them have no direction"),
             (counts.below > 0, UPPER_ONLY),
-            (is_clamped, "the codec clamps components to 1: normalise the vectors first"),
+            (is_clamped && !has_length, "the codec clamps components to 1: normalise the vectors first"),
+            (
+                is_clamped && has_length,
+                "some are longer than the codec can store, and get its greatest length",
+            ),
         ];
         let lost = lost.into_iter().filter(|(is_lost, _)| *is_lost).map(|(_, words)| words.to_owned());
         let mut summary = Self::of_elements(format.element, counts.clone());
@@ -227,6 +236,7 @@ impl Summary {
             keeps_lengths: Some(keeps_lengths(format)),
             stored_as_null: Some(counts.nulls).filter(|nulls| *nulls > 0),
             mesh: parts.map(MeshSummary::from),
+            measure,
             ..summary
         }
     }
@@ -269,7 +279,7 @@ impl Summary {
         if let Some([least, most]) = self.lengths {
             line += &format!(", lengths {} to {}", length(least), length(most));
         }
-        if self.keeps_lengths == Some(true) {
+        if self.keeps_lengths == Some(true) && self.measure != Measure::Relative {
             line += ", components stored as given, clamped";
         }
         if let Some(mesh) = self.mesh.as_ref().filter(|_| self.element == Element::Vector) {
@@ -283,6 +293,9 @@ impl Summary {
         let (some, written, rest) = match (self.filled, self.stored_as_null) {
             (Some(filled), _) => (filled, "written as +Z", "as in the file"),
             (None, _) if self.element == Element::Rotation => (0, "", "stored as the identity"),
+            (None, _) if self.measure == Measure::Relative => {
+                (0, "", "stored as zero or, infinite ones, with the greatest length")
+            }
             (None, nulls) => (nulls.unwrap_or(0), "stored as null", "stored as +Z"),
         };
         let what = match some {
@@ -303,6 +316,12 @@ impl Summary {
         let place = place.map_or_else(String::new, |part| format!(", in {}", part.place()));
         format!(" ({what}; the first is number {first}{place})")
     }
+}
+
+/// The length of the vectors of a code of ones, the longest of a codec of vectors with a length.
+fn greatest_length(format: &AnyCodec) -> f64 {
+    let v: [f32; 3] = format.decode_one([u32::MAX; 2]);
+    v.iter().map(|c| f64::from(*c).powi(2)).sum::<f64>().sqrt()
 }
 
 /// A length with four decimals, or four digits where it is far from 1.
