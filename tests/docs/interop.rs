@@ -6,6 +6,7 @@ use glam::{Mat3, Quat, Vec3};
 use std::collections::BTreeMap;
 use unitvec::interop::{FRAMES, Format, ROTATIONS, ROWS, RotationFormat};
 use unitvec::{Frame, Frame32, Frame64, FrameCodec, Quat32, RotationCodec, angle_deg, rotation_angle_deg};
+use unitvec_run::measure::ErrorStats;
 use unitvec_run::sampling::random_rotations;
 use unitvec_tests::directions::sphere;
 use unitvec_tests::repository;
@@ -21,8 +22,8 @@ fn formats() -> impl Iterator<Item = Format> {
 
 /// Mean and largest angle, in degrees.
 fn summary(errors: impl Iterator<Item = f64>) -> [f64; 2] {
-    let (sum, max, count) = errors.fold((0.0, 0f64, 0), |(sum, max, n), e| (sum + e, max.max(e), n + 1));
-    [sum / f64::from(count), max]
+    let errors: ErrorStats = errors.collect();
+    [errors.mean_deg(), errors.max_deg()]
 }
 
 /// Frames with these normals: tangents are perpendicular to them, and random.

@@ -40,6 +40,14 @@ impl ErrorStats {
     }
 }
 
+impl FromIterator<f64> for ErrorStats {
+    fn from_iter<I: IntoIterator<Item = f64>>(errors: I) -> Self {
+        let mut stats = Self::default();
+        errors.into_iter().for_each(|error| stats.add(error));
+        stats
+    }
+}
+
 /// Errors of elements: of a vector or a rotation itself; of a frame's normal and its tangent.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ElementErrors {
@@ -85,11 +93,11 @@ mod tests {
     /// Errors of 1 and 3 degrees: mean 2, deviation 1, over the root of 2.
     #[test]
     fn the_standard_error_of_two() {
-        let mut errors = ErrorStats::default();
-        for degrees in [1.0f64, 3.0] {
+        let error = |degrees: f64| {
             let (sin, cos) = degrees.to_radians().sin_cos();
-            errors.add(unitvec::angle_deg([1.0, 0.0, 0.0], [cos as f32, sin as f32, 0.0]));
-        }
+            unitvec::angle_deg([1.0, 0.0, 0.0], [cos as f32, sin as f32, 0.0])
+        };
+        let errors: ErrorStats = [1.0, 3.0].map(error).into_iter().collect();
         assert!((errors.mean_deg() - 2.0).abs() < 1e-6);
         assert!((errors.standard_error_deg() - 0.5f64.sqrt()).abs() < 1e-6);
     }

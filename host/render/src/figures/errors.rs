@@ -2,7 +2,7 @@
 
 use super::canvas::{Canvas, Cell, INK, sheet};
 use super::paint::{self, Colour, SAMPLES, from_srgb};
-use super::points::errors_in_words;
+use super::points::{self, in_words};
 use super::{Figure, Number, Options, Shown};
 use crate::Result;
 use image::RgbImage;
@@ -16,15 +16,15 @@ const MAPPED: &str = "oct16 oct16p eaoct16p ico16 fib16 latlong16d spherical16 e
     eaoct24p ico24 latlong24d snorm8x3";
 
 /// The error that has the last colour, as a multiple of the largest that any code of as many bits must have.
-const LAST_COLOUR: f64 = 1.5;
+pub const LAST_COLOUR: f64 = 1.5;
 
-fn heat(part: f64) -> Colour {
+pub fn heat(part: f64) -> Colour {
     let colour = ViridisRGB.get_color(part.clamp(0.0, 1.0) as f32);
     from_srgb([colour.0, colour.1, colour.2])
 }
 
 /// The largest error of the scale for codes of so many bits, degrees.
-fn scale_deg(bits: u32) -> f64 {
+pub fn scale_deg(bits: u32) -> f64 {
     LAST_COLOUR * covering_bound_deg(bits, Domain::Sphere).1
 }
 
@@ -45,7 +45,8 @@ pub fn errors(options: &Options) -> Result<Figure> {
     let side = if options.small { 150 } else { 360 };
     let (mut cells, mut scales) = (Vec::new(), BTreeMap::new());
     for codec in options.codecs_or(MAPPED)? {
-        let lines = vec![format!("{}, {} bits", codec.survey_name, codec.bits), errors_in_words(codec)?];
+        let lines =
+            vec![format!("{}, {} bits", codec.survey_name, codec.bits), in_words(&points::errors(codec)?)];
         cells.push(Cell { picture: error_map(codec, side), lines });
         scales.insert(codec.bits, scale_deg(codec.bits));
     }
@@ -62,7 +63,7 @@ pub fn errors(options: &Options) -> Result<Figure> {
 }
 
 /// The colours, and the errors of the last one by bits.
-fn legend(side: u32, scales: &BTreeMap<u32, f64>) -> RgbImage {
+pub fn legend(side: u32, scales: &BTreeMap<u32, f64>) -> RgbImage {
     let mut canvas = Canvas::new(side, side);
     let top = side / 4;
     canvas.put(&paint::strip(side - 20, 24, heat), 10, top - 12);

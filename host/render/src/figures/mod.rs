@@ -2,6 +2,7 @@
 
 mod camera;
 mod canvas;
+mod caps;
 mod compare;
 mod dither;
 mod earlier;
@@ -11,6 +12,7 @@ mod latlong;
 mod paint;
 mod pictures;
 mod points;
+mod rotations;
 mod rounding;
 mod unfolding;
 
@@ -60,6 +62,10 @@ pub enum Part {
     Dither,
     /// Error maps.
     Errors,
+    /// Rotations in 32 bits: the way of a turning pointer, and error maps.
+    Rotations,
+    /// Error maps of caps.
+    Caps,
     /// Error against cost.
     Front,
 }
@@ -72,10 +78,7 @@ impl Part {
 
     /// True for figures that need a device that draws.
     pub fn is_rendered(self) -> bool {
-        match self {
-            Self::One | Self::Six | Self::Seven | Self::Eight | Self::Meyer | Self::Dither => true,
-            Self::Two | Self::Three | Self::Four | Self::Five | Self::Errors | Self::Front => false,
-        }
+        matches!(self, Self::One | Self::Six | Self::Seven | Self::Eight | Self::Meyer | Self::Dither)
     }
 }
 
@@ -122,7 +125,10 @@ fn front() -> Result<Figure> {
 /// Any error of rendering and measuring.
 pub fn draw(part: Part, options: &Options, camera: &mut dyn Camera) -> Result<Figure> {
     let figure = drawn(part, options, camera)?;
-    let ignores = matches!(part, Part::Two | Part::Three | Part::Four | Part::Dither | Part::Front);
+    let ignores = matches!(
+        part,
+        Part::Two | Part::Three | Part::Four | Part::Dither | Part::Rotations | Part::Caps | Part::Front
+    );
     if ignores || options.codecs.is_empty() {
         return Ok(figure);
     }
@@ -145,6 +151,8 @@ fn drawn(part: Part, options: &Options, camera: &mut dyn Camera) -> Result<Figur
         Part::Four => rounding::rounding(options),
         Part::Five => points::points(options),
         Part::Errors => errors::errors(options),
+        Part::Rotations => rotations::rotations(options),
+        Part::Caps => Ok(caps::caps(options)),
         Part::Front => front(),
     }
 }

@@ -12,8 +12,8 @@ pub type Colour = DVec3;
 /// Samples of a pixel in a row.
 pub const SAMPLES: u32 = 4;
 
-/// Around a disc.
-const MARGIN: f64 = 1.03;
+/// Half the side of the square around a disc of radius 1.
+pub const MARGIN: f64 = 1.03;
 
 /// The view of the sphere: rows are right, up and towards the eye. z is upwards; above the equator and beside an
 /// octant's middle, so that octants of all kinds are visible.

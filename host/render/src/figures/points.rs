@@ -8,7 +8,7 @@ use glam::DVec3;
 use std::collections::HashSet;
 use unitvec_catalogue::AnyCodec;
 use unitvec_run::backend::Cpu;
-use unitvec_run::measure::measure;
+use unitvec_run::measure::{ErrorStats, measure};
 
 /// The panels of figure 5, in its order, and three that came after the survey.
 const DISTRIBUTIONS: &str = "stereo_concentric16 eqdist_concentric16 eqarea_concentric16 stereo_ellipse16 \
@@ -20,10 +20,20 @@ const ALL_CODES_UP_TO: u32 = 16;
 /// Directions whose codes stand for all where there are more.
 const DIRECTIONS: usize = 1 << 22;
 
-/// A codec's errors, measured over random directions, in a line.
-pub fn errors_in_words(codec: &AnyCodec) -> Result<String> {
-    let errors = measure(&mut Cpu, codec, codec.domain, 100_000, 1)?.normal;
-    Ok(format!("mean {:.3} max {:.3} deg", errors.mean_deg(), errors.max_deg()))
+/// A codec's errors, measured over random directions or rotations.
+pub fn errors(codec: &AnyCodec) -> Result<ErrorStats> {
+    Ok(measure(&mut Cpu, codec, codec.domain, 100_000, 1)?.normal)
+}
+
+/// Errors in a line.
+pub fn in_words(errors: &ErrorStats) -> String {
+    format!("mean {:.3} max {:.3} deg", errors.mean_deg(), errors.max_deg())
+}
+
+/// Mean and maximum as numbers of a figure.
+pub fn numbers(of: &str, errors: &ErrorStats) -> [Number; 2] {
+    [("mean", errors.mean_deg()), ("largest", errors.max_deg())]
+        .map(|(what, value)| Number::new(format!("{of}, {what} error, degrees"), value))
 }
 
 /// The directions that encoded vectors can have, each once.
@@ -59,7 +69,7 @@ pub fn points(options: &Options) -> Result<Figure> {
         let share = (f64::from(1u32 << ALL_CODES_UP_TO) / directions.len() as f64).min(1.0);
         let ink = share * 2.2 * (f64::from(side) / 360.0).powf(1.5);
         directions.iter().filter_map(|v| paint::place(*v, view)).for_each(|place| dots.add(place, ink));
-        let lines = vec![codec.survey_name.to_owned(), errors_in_words(codec)?];
+        let lines = vec![codec.survey_name.to_owned(), in_words(&errors(codec)?)];
         cells.push(Cell { picture: dots.picture(), lines });
         numbers.push(Number::new(format!("{}, points", codec.id), directions.len() as f64));
     }
