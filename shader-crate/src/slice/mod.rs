@@ -142,6 +142,7 @@ pub(crate) fn store_each<T>(
 }
 
 /// Makes each element of the words of its code, of `size` bytes: the reverse of [`store_each`].
+#[cfg(feature = "std")]
 pub(crate) fn load_each<T>(
     codes: &[u8],
     elements: &mut [T],

@@ -94,6 +94,7 @@ pub fn caps(options: &Options) -> Figure {
 mod tests {
     use super::*;
     use glam::DVec2;
+    use unitvec::Codec;
 
     /// The map's lengths, across the radius the circles' and along it the area's rest, turn the codec's own errors into
     /// those of its caps, but for their curvature.

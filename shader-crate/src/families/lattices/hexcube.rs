@@ -210,9 +210,14 @@ pub struct HexCube<const BITS: u32>;
 
 impl<const BITS: u32> HexCube<BITS> {
     const LATTICE: Lattice = match BITS {
-        16 => Lattice { columns: 96, rows: 56, across: 300.25, along: 176.656_25 },
-        24 => Lattice { columns: 1552, rows: 900, across: 4850.015_625, along: 2814.0625 },
-        32 => Lattice { columns: 24778, rows: 14444, across: 77_431.328_125, along: 45_139.0625 },
+        16 => Lattice { columns: 96, rows: 56, across: 300.25, along: 176.65625 },
+        24 => Lattice { columns: 1552, rows: 900, across: 4850.0 + 1.0 / 64.0, along: 2814.0625 },
+        32 => Lattice {
+            columns: 24778,
+            rows: 14444,
+            across: 77431.0 + 21.0 / 64.0,
+            along: 45139.0 + 1.0 / 16.0,
+        },
         _ => panic!("no constants for this width"),
     };
 }
