@@ -60,8 +60,8 @@ macro_rules! facts {
     (fib16) => { "16 bits in 2 bytes, direction at most 0.611° off" };
     (fib24) => { "24 bits in 3 bytes, direction at most 0.0382° off" };
     (fib32) => { "32 bits in 4 bytes, direction at most 0.00241° off" };
-    (hexcube16) => { "16 bits in 2 bytes, direction at most 0.559° off" };
-    (hexcube24) => { "24 bits in 3 bytes, direction at most 0.0337° off" };
+    (hexcube16) => { "16 bits in 2 bytes, direction at most 0.547° off" };
+    (hexcube24) => { "24 bits in 3 bytes, direction at most 0.0336° off" };
     (hexcube32) => { "32 bits in 4 bytes, direction at most 0.00211° off" };
     (ico16) => { "16 bits in 2 bytes, direction at most 0.509° off" };
     (ico24) => { "24 bits in 3 bytes, direction at most 0.0312° off" };

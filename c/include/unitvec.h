@@ -565,13 +565,13 @@ uint32_t unitvec_fib32_encode(struct unitvec_vec3 vector);
 /// The vector of a code of fib32. Higher bits are ignored.
 struct unitvec_vec3 unitvec_fib32_decode(uint32_t code);
 
-/// The code of a vector by hexcube16: 16 bits, at most 0.559 degrees off.
+/// The code of a vector by hexcube16: 16 bits, at most 0.547 degrees off.
 uint32_t unitvec_hexcube16_encode(struct unitvec_vec3 vector);
 
 /// The vector of a code of hexcube16. Higher bits are ignored.
 struct unitvec_vec3 unitvec_hexcube16_decode(uint32_t code);
 
-/// The code of a vector by hexcube24: 24 bits, at most 0.0337 degrees off.
+/// The code of a vector by hexcube24: 24 bits, at most 0.0336 degrees off.
 uint32_t unitvec_hexcube24_encode(struct unitvec_vec3 vector);
 
 /// The vector of a code of hexcube24. Higher bits are ignored.

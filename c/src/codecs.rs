@@ -963,7 +963,7 @@ mod fib32 {
 mod hexcube16 {
     use crate::single::{Vec3, decode, encode};
 
-    /// The code of a vector by hexcube16: 16 bits, at most 0.559 degrees off.
+    /// The code of a vector by hexcube16: 16 bits, at most 0.547 degrees off.
     #[unsafe(no_mangle)]
     pub extern "C" fn unitvec_hexcube16_encode(vector: Vec3) -> u32 {
         encode::<unitvec::HexCube16>(vector) as u32
@@ -979,7 +979,7 @@ mod hexcube16 {
 mod hexcube24 {
     use crate::single::{Vec3, decode, encode};
 
-    /// The code of a vector by hexcube24: 24 bits, at most 0.0337 degrees off.
+    /// The code of a vector by hexcube24: 24 bits, at most 0.0336 degrees off.
     #[unsafe(no_mangle)]
     pub extern "C" fn unitvec_hexcube24_encode(vector: Vec3) -> u32 {
         encode::<unitvec::HexCube24>(vector) as u32
