@@ -1,7 +1,8 @@
 //! Processors on which the codecs gave the same bits, from `docs/data/processors.csv`.
 
 use super::{markdown_table, recorded};
-use unitvec_catalogue::{frames, rotations, vectors};
+use std::collections::BTreeSet;
+use unitvec_catalogue::CODECS;
 use unitvec_tests::repository;
 
 /// The record as a table.
@@ -11,28 +12,15 @@ pub fn table() -> String {
     markdown_table(&rows.next().unwrap(), rows)
 }
 
-/// The record covers the same codecs on all processors, all but those that are newer: by the functions of single vectors and by
-/// those of slices, which vectors have at every level, frames and rotations at one. Its hash in `records.lock` shows that it covers all
-/// processors.
+/// The record covers the same codecs on all processors, all but those that are newer: by the functions of single elements, and by
+/// those of slices at every level. Its hash in `records.lock` shows that it covers all processors.
 #[test]
 fn the_record_is_of_the_same_codecs() {
-    let rows = recorded::<Vec<String>>("processors.csv");
-    // The vectors of each row, where so many others have two digests each.
-    let of_vectors = |others: usize| -> Vec<usize> {
-        let of_row = |row: &Vec<String>| {
-            let (levels, digests) = (row[5].split(' ').count(), row[7].parse::<usize>().unwrap());
-            let left = digests.checked_sub(2 * others).filter(|left| left % (1 + levels) == 0);
-            left.map(|left| left / (1 + levels))
-        };
-        rows.iter().map_while(of_row).collect()
+    let of_row = |row: Vec<String>| {
+        let (levels, digests) = (row[5].split(' ').count(), row[7].parse::<usize>().unwrap());
+        assert_eq!(digests % (1 + levels), 0, "{row:?}");
+        digests / (1 + levels)
     };
-    let is_one = |found: Vec<usize>| {
-        found.len() == rows.len() && found.iter().all(|count| *count == found[0] && *count <= vectors().len())
-    };
-    // A record from before there were rotations has none.
-    assert!(
-        [frames().len() + rotations().len(), frames().len()]
-            .into_iter()
-            .any(|others| is_one(of_vectors(others)))
-    );
+    let codecs: BTreeSet<usize> = recorded("processors.csv").into_iter().map(of_row).collect();
+    assert!(codecs.len() == 1 && codecs.iter().all(|count| *count <= CODECS.len()), "{codecs:?}");
 }
