@@ -6,6 +6,7 @@ use std::process::{Command, Output};
 use unitvec_catalogue::{Domain, Operation, find};
 use unitvec_run::backend::{Backend, Cpu};
 use unitvec_run::sampling;
+use unitvec_tests::program::raw;
 use unitvec_tests::repository;
 
 /// Runs a kernel on lavapipe, with validation.
@@ -39,12 +40,11 @@ fn a_client_in_python_gets_the_cpus_bits() {
         let format = find(id).unwrap();
         let random = sampling::random_elements(format.element, Domain::Sphere, 12);
         let mut elements: Vec<f32> = random.take(COUNT * format.element.floats()).collect();
-        let bytes = |elements: &[f32]| elements.iter().flat_map(|f| f.to_le_bytes()).collect::<Vec<u8>>();
         let mut codes = vec![0; COUNT * format.bytes];
         Cpu.encode(format, &elements, &mut codes).unwrap();
-        assert_eq!(output(&format.function(Operation::Encode), COUNT, &bytes(&elements)), codes, "{id}");
+        assert_eq!(output(&format.function(Operation::Encode), COUNT, &raw(&elements)), codes, "{id}");
         Cpu.decode(format, &codes, &mut elements).unwrap();
-        assert_eq!(output(&format.function(Operation::Decode), COUNT, &codes), bytes(&elements), "{id}");
+        assert_eq!(output(&format.function(Operation::Decode), COUNT, &codes), raw(&elements), "{id}");
     }
 }
 

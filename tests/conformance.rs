@@ -9,6 +9,7 @@ use unitvec_run::backend::{Backend, BackendKind, Cpu, Gpu, KernelSource, decode_
 use unitvec_run::conform::{Backends, Mismatches, Options, Plan, widest_of_each_series};
 use unitvec_run::shader::{Edition, Language};
 use unitvec_run::{conform, glsl, sampling};
+use unitvec_tests::program::raw;
 use unitvec_tests::{assert_no_validation_messages, copy_modules, lavapipe, replace_module, repository};
 use unitvec_vulkan::{BufferPromise, Device, Division, Error, GROUP, Runner, SENTINEL};
 
@@ -132,7 +133,7 @@ fn kernels_keep_to_the_count_and_to_both_buffers() {
         Cpu.encode(format, &elements, &mut codes).unwrap();
         Cpu.decode(format, &codes, &mut elements).unwrap();
         Cpu.encode(format, &elements, &mut codes).unwrap();
-        let elements: Vec<u8> = elements.iter().flat_map(|f| f.to_le_bytes()).collect();
+        let elements = raw(&elements);
         for (operation, read, written) in
             [(Operation::Encode, &elements, &codes), (Operation::Decode, &codes, &elements)]
         {

@@ -11,7 +11,7 @@ use std::os::unix::ffi::OsStrExt;
 use std::process::{Command, Stdio};
 use unitvec_mesh::BUNNY;
 use unitvec_tests::names;
-use unitvec_tests::program::{self, command, stderr, stdout};
+use unitvec_tests::program::{self, command, raw, stderr, stdout};
 
 /// Escape sequences and line breaks, as a name of a file can have them.
 const NAME: &str = "a\u{1b}[31m\u{9b}2J\r\nb";
@@ -136,7 +136,7 @@ fn files_in_use_are_not_replaced() {
         std::fs::read(unitvec_tests::repository().join("host/choose/data/costs_navi21.json")).unwrap();
     let files = [
         ("a.gltf", json.as_bytes().to_vec()),
-        ("a.dat", floats.iter().flat_map(|float| float.to_le_bytes()).collect()),
+        ("a.dat", raw(&floats)),
         ("costs.json", costs),
         ("a.vrm", b"glTF".to_vec()),
     ];

@@ -7,12 +7,8 @@ use unitvec::interop::Format;
 use unitvec_catalogue::{self as catalogue, Domain, Element, RECOMMENDED, Recommendation, find};
 use unitvec_oracle::angle_deg;
 use unitvec_run::sampling;
-use unitvec_tests::program::{refusal, run, run_with_input, stderr, stdout};
+use unitvec_tests::program::{raw, refusal, run, run_with_input, stderr, stdout};
 use unitvec_tests::repository;
-
-fn raw(floats: &[f32]) -> Vec<u8> {
-    floats.iter().flat_map(|float| float.to_le_bytes()).collect()
-}
 
 fn file(folder: &TempDir, name: &str, floats: &[f32]) -> PathBuf {
     let path = folder.path().join(name);

@@ -10,6 +10,7 @@ mod client;
 mod components;
 #[cfg(feature = "glsl")]
 mod conformance;
+mod convert;
 mod cube;
 mod cylindrical;
 mod digests;

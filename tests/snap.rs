@@ -10,7 +10,7 @@ use unitvec_mesh as mesh;
 use unitvec_mesh::{BUNNY, FileFormat, Reach, has_direction};
 use unitvec_run::sampling;
 use unitvec_tests::names;
-use unitvec_tests::program::{command, stderr, stdout};
+use unitvec_tests::program::{command, raw, stderr, stdout};
 
 /// Frames, one without a direction, one with NaN, and one without a tangent.
 fn frames() -> Vec<[f32; 7]> {
@@ -50,10 +50,6 @@ fn snapped(codec: &AnyCodec, frames: &[[f32; 7]]) -> Vec<[f32; 7]> {
     frames.iter().map(snap).collect()
 }
 
-fn bytes(floats: &[f32]) -> Vec<u8> {
-    floats.iter().flat_map(|float| float.to_le_bytes()).collect()
-}
-
 /// The least and greatest components of vectors, as JSON.
 fn bounds<const N: usize>(frames: &[[f32; 7]], at: usize) -> String {
     let all = |component: usize| frames.iter().map(move |frame| frame[at + component]);
@@ -65,8 +61,8 @@ fn bounds<const N: usize>(frames: &[[f32; 7]], at: usize) -> String {
 
 /// A document of a mesh: normals and positions take turns, and the tangents come after them.
 fn document(frames: &[[f32; 7]], uri: &str) -> (String, Vec<u8>) {
-    let turns = frames.iter().flat_map(|frame| bytes(&[&[1.0, 2.0, 3.0], &frame[..3]].concat()));
-    let tangents = frames.iter().flat_map(|frame| bytes(&frame[3..]));
+    let turns = frames.iter().flat_map(|frame| raw(&[&[1.0, 2.0, 3.0], &frame[..3]].concat()));
+    let tangents = frames.iter().flat_map(|frame| raw(&frame[3..]));
     let buffer: Vec<u8> = turns.chain(tangents).chain([1, 2, 3]).collect();
     let (count, turns) = (frames.len(), 24 * frames.len());
     let kind = format!(r#""componentType":5126, "count":{count}"#);

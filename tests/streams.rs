@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
-use unitvec_tests::program::{command, stderr};
+use unitvec_tests::program::{command, raw, stderr};
 use unitvec_tests::repository;
 
 /// Two vectors, and their codes in [`CODEC`].
@@ -23,7 +23,7 @@ const CODES: [u8; 4] = [0; 4];
 const CODEC: &str = "oct16";
 
 fn floats() -> Vec<u8> {
-    VECTORS.iter().flat_map(|c| c.to_le_bytes()).collect()
+    raw(&VECTORS)
 }
 
 /// A folder with an input, `in.f32`.

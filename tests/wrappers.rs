@@ -9,7 +9,7 @@ use unitvec_oracle::{Summary, length};
 use unitvec_run::sampling::special_vectors;
 use unitvec_tests::checks::LENGTH_ROUNDING;
 use unitvec_tests::directions::{AXES, Rng, near_octant_middles, near_planes, sphere, usable};
-use unitvec_tests::program::{refusal, run, run_with_input, stderr, stdout};
+use unitvec_tests::program::{self, refusal, run, run_with_input, stderr, stdout};
 use unitvec_tests::tested::widen;
 
 /// The code as one number.
@@ -253,9 +253,8 @@ fn relative_errors_are_those_stated() {
     check(|v| v.to_array().map(|t| f16::from_f32(t).to_f32()).into(), [0.000191, 0.000545], 1.0);
 }
 
-/// The bytes of the floats of vectors.
 fn raw(vectors: &[Vec3]) -> Vec<u8> {
-    vectors.iter().flat_map(|v| v.to_array()).flat_map(f32::to_le_bytes).collect()
+    program::raw(bytemuck::cast_slice(vectors))
 }
 
 /// Vectors of any length, with those that have no direction or are out of the range.

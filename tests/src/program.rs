@@ -51,6 +51,11 @@ pub fn command<S: AsRef<OsStr>>(arguments: impl IntoIterator<Item = S>) -> Comma
     command
 }
 
+/// Floats as the program reads them.
+pub fn raw(floats: &[f32]) -> Vec<u8> {
+    floats.iter().flat_map(|float| float.to_le_bytes()).collect()
+}
+
 /// Runs the program to its end.
 ///
 /// # Panics
