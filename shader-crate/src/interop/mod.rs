@@ -30,11 +30,14 @@
 //! * It needs the feature `std`, and is for CPUs.
 
 mod components;
+mod four_components;
 mod frames;
 mod list;
 mod octahedral;
 mod plain;
+mod quaternion;
 mod rotations;
+mod smallest_three;
 mod tetrahedron;
 
 use crate::direction::or_z;
