@@ -356,9 +356,6 @@ fn relative_error(v: &[f32], d: &[f32]) -> Option<f64> {
 /// are no more than 2^-12 off.
 const BIN_SHIFT: u32 = 12;
 
-/// Bins of errors of any size: relative ones have no greatest.
-const BINS: usize = (f32::INFINITY.to_bits() >> BIN_SHIFT) as usize + 1;
-
 #[derive(Clone, Default)]
 struct Tally {
     count: u64,
@@ -366,13 +363,12 @@ struct Tally {
     sum: f64,
     max: f64,
     worst: Option<Worst>,
-    /// Empty, or [`BINS`] of them.
+    /// Up to that of the greatest error.
     bins: Vec<u64>,
 }
 
 impl Tally {
     fn add_all(&mut self, chunk: &Chunk<'_>) -> Result<()> {
-        self.bins.resize(BINS, 0);
         for (at, error) in chunk.errors().into_iter().enumerate() {
             let Some(error) = error else {
                 self.left_out += 1;
@@ -387,7 +383,11 @@ impl Tally {
             }
             self.count += 1;
             self.sum += error;
-            self.bins[((error as f32).to_bits() >> BIN_SHIFT) as usize] += 1;
+            let bin = ((error as f32).to_bits() >> BIN_SHIFT) as usize;
+            if bin >= self.bins.len() {
+                self.bins.resize(bin + 1, 0);
+            }
+            self.bins[bin] += 1;
             if self.worst.is_none() || error > self.max {
                 self.max = error;
                 self.worst = Some(chunk.worst(at));
@@ -403,11 +403,8 @@ impl Tally {
         if self.worst.is_none() || other.max > self.max {
             (self.max, self.worst) = (other.max, other.worst);
         }
-        if self.bins.is_empty() {
-            self.bins = other.bins;
-        } else {
-            self.bins.iter_mut().zip(other.bins).for_each(|(bin, other)| *bin += other);
-        }
+        self.bins.resize(self.bins.len().max(other.bins.len()), 0);
+        self.bins.iter_mut().zip(other.bins).for_each(|(bin, other)| *bin += other);
     }
 
     fn errors(&self, measure: Measure) -> Option<Errors> {

@@ -218,14 +218,15 @@ impl Summary {
         let is_clamped =
             keeps_lengths(format) && counts.lengths.is_some_and(|[_, most]| most > 1.01 * greatest);
         let is_lost = 2 * (counts.no_direction.count - counts.nulls) > counts.elements;
+        let clamped = if has_length {
+            "some are longer than the codec can store, and get its greatest length"
+        } else {
+            "the codec clamps components to 1: normalise the vectors first"
+        };
         let lost = [
             (is_lost && !has_length, "most of them have no direction"),
             (counts.below > 0, UPPER_ONLY),
-            (is_clamped && !has_length, "the codec clamps components to 1: normalise the vectors first"),
-            (
-                is_clamped && has_length,
-                "some are longer than the codec can store, and get its greatest length",
-            ),
+            (is_clamped, clamped),
         ];
         let lost = lost.into_iter().filter(|(is_lost, _)| *is_lost).map(|(_, words)| words.to_owned());
         let mut summary = Self::of_elements(format.element, counts.clone());

@@ -1,7 +1,7 @@
 //! Error maps of caps.
 
 use super::canvas::{Cell, sheet};
-use super::errors::{LAST_COLOUR, heat, legend, scale_deg};
+use super::errors::{LAST_COLOUR, heat, last_colour, legend, scale_deg};
 use super::paint::{self, Colour, SAMPLES};
 use super::points::{in_words, numbers};
 use super::{Figure, Number, Options, Shown};
@@ -77,8 +77,7 @@ pub fn caps(options: &Options) -> Figure {
     let (mut cells, of_cells): (Vec<Cell>, Vec<_>) = sphere.into_iter().chain(hemisphere).unzip();
     let scale = legend(side, &[(BITS, scale_deg(BITS))].into());
     cells.insert(ANGLES.len(), Cell { picture: scale, lines: Vec::new() });
-    let last_colour = Number::new(format!("last colour, {BITS} bits, degrees"), scale_deg(BITS));
-    let numbers = std::iter::once(last_colour).chain(of_cells.into_iter().flatten());
+    let numbers = std::iter::once(last_colour(BITS, scale_deg(BITS))).chain(of_cells.into_iter().flatten());
     let caption = format!(
         "The error of {BITS} bits without a cap, and in caps of several half-angles about an axis, which is in the middle; grey is \
          outside. Above a codec of the sphere, below one of the hemisphere, which fills a cap better: its whole domain is a \

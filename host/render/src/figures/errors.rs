@@ -51,8 +51,7 @@ pub fn errors(options: &Options) -> Result<Figure> {
         scales.insert(codec.bits, scale_deg(codec.bits));
     }
     cells.push(Cell { picture: legend(side, &scales), lines: Vec::new() });
-    let numbers =
-        scales.iter().map(|(bits, scale)| Number::new(format!("last colour, {bits} bits, degrees"), *scale));
+    let numbers = scales.iter().map(|(bits, scale)| last_colour(*bits, *scale));
     let caption = format!(
         "The error over the sphere, by colour: dark is none, yellow is {LAST_COLOUR} times the least possible maximum at that \
          number of bits, or more. Codecs of as many bits share one scale."
@@ -60,6 +59,11 @@ pub fn errors(options: &Options) -> Result<Figure> {
     let alt = "Spheres coloured by the error of a codec at each direction";
     let pictures = vec![Shown::picture("errors.png", alt, sheet(&cells, 5))];
     Ok(Figure::new("errors", "Error maps", caption, pictures).with(numbers.collect()))
+}
+
+/// The error of the last colour as a number of a figure.
+pub fn last_colour(bits: u32, scale_deg: f64) -> Number {
+    Number::new(format!("last colour, {bits} bits, degrees"), scale_deg)
 }
 
 /// The colours, and the errors of the last one by bits.

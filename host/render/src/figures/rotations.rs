@@ -1,7 +1,7 @@
 //! Rotations in 32 bits: the way of a pointer that turns slowly, and the error over rotations.
 
 use super::canvas::{Canvas, Cell, sheet};
-use super::errors::{LAST_COLOUR, heat, legend};
+use super::errors::{LAST_COLOUR, heat, last_colour, legend};
 use super::paint::{self, Colour, Dots, MARGIN, SAMPLES};
 use super::points::{errors, in_words, numbers};
 use super::{Figure, Number, Options, Shown};
@@ -131,8 +131,8 @@ pub fn rotations(options: &Options) -> Result<Figure> {
     cells.extend(all.iter().map(|Measured(codec, _, _, part)| {
         cell(map(codec, side, |place| Some(tipped(place))), ["of this part:", &in_words(part)])
     }));
-    let last_colour = Number::new(format!("last colour, {BITS} bits, degrees"), scale_deg());
-    let numbers = std::iter::once(last_colour).chain(all.iter().flat_map(Measured::numbers));
+    let numbers =
+        std::iter::once(last_colour(BITS, scale_deg())).chain(all.iter().flat_map(Measured::numbers));
     let caption = format!(
         "Rotations in {BITS} bits: the smallest three components in 10 bits each, by rounding and by the nearest code of the same \
          format, and quat32. Above, the tip of a long pointer goes around a circle, three quarters of a degree wide, in \
