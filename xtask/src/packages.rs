@@ -10,8 +10,8 @@ const LIBRARIES: [&str; 5] =
     ["unitvec", "unitvec-languages", "unitvec-shaders", "unitvec-oracle", "unitvec-catalogue"];
 
 /// The program, and before it the libraries that it consists of.
-const PROGRAM: &str = "unitvec-files unitvec-vulkan unitvec-manifest unitvec-mesh unitvec-run unitvec-choose \
-    unitvec-lab unitvec-render unitvec-link unitvec-host";
+const PROGRAM: &str = "unitvec-files unitvec-vulkan unitvec-manifest unitvec-mesh unitvec-texture unitvec-run \
+    unitvec-choose unitvec-lab unitvec-render unitvec-link unitvec-host";
 
 /// All published packages.
 pub fn names() -> impl Iterator<Item = &'static str> {

@@ -1,0 +1,1 @@
+//! Compressed blocks of 4 by 4 texels.
