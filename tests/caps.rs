@@ -279,7 +279,7 @@ fn density_trades_as_documented() {
         }
         rows += 1;
     }
-    assert_eq!(rows, 6);
+    assert_eq!(rows, 7);
 }
 
 /// Both bounds hold, and are the closed forms: `sqrt(r)`, and in front, away from the border, `(r + 1) / (2 sqrt r)`.

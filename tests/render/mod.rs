@@ -1,13 +1,16 @@
 //! The renderer on lavapipe, with validation: codecs go through the pipeline unchanged, and pictures of both languages are
 //! equal.
 
+use glam::Vec3;
 use std::sync::Arc;
+use unitvec::OctPrecise16;
+use unitvec::wrap::{Dense, dense::DEFAULT_RATIO};
 use unitvec_catalogue::{AnyCodec, find};
 use unitvec_lab::Error as LabError;
 use unitvec_render::conform::{HardwareRounding, Options, Row};
 use unitvec_render::{Error, conform, shaders};
 use unitvec_render::{
-    Key, Layers, Material, Normals, OBJECTS, Picture, Renderer, Shot, Size, Vertices, View,
+    Key, Layers, Material, Normals, OBJECTS, Picture, Renderer, SIDES, Shot, Size, Vertices, View,
 };
 use unitvec_run::Error as RunError;
 use unitvec_run::backend::BackendKind;
@@ -224,4 +227,31 @@ fn what_does_not_fit_is_an_error() {
     assert_eq!(Mesh::new(&graphics, &[positions], Some(&[0, 1, 1])).unwrap().vertices(), 2);
     drop(graphics);
     assert_no_validation_messages(device);
+}
+
+/// The default density is the greatest even ratio that leaves the 99.9th percentile of the error over what cameras see below
+/// that without a density: over the pixels of the scene and of the bumpy sphere from all its sides, with the axis towards
+/// the camera. It lowers the mean by more than a quarter there, as its docs say.
+#[test]
+fn the_default_density_is_best_for_what_cameras_see() {
+    let mut renderer = renderer(&device(), BackendKind::Rust);
+    let views = (0..SIDES).map(View::Side).chain([View::Scene; 4]);
+    let mut seen = Vec::new();
+    for shot in views.map(|view| Shot { view, ..Shot::new(Material::Lambertian) }) {
+        let pixels = renderer.seen(&shot).unwrap().into_iter().flatten();
+        seen.extend(pixels.map(|pixel| (shot.toward_camera(), pixel.normal)));
+    }
+    let errors = |ratio: f32| {
+        let error = |(axis, normal): &([f32; 3], Vec3)| {
+            let dense = Dense::<OctPrecise16>::new(*axis, ratio);
+            unitvec::angle_deg(*normal, dense.decode::<Vec3>(dense.encode(*normal)))
+        };
+        let mut errors: Vec<f64> = seen.iter().map(error).collect();
+        errors.sort_by(f64::total_cmp);
+        (errors.iter().sum::<f64>() / errors.len() as f64, errors[errors.len() * 999 / 1000])
+    };
+    let ((plain, rare), (mean, _)) = (errors(1.0), errors(DEFAULT_RATIO));
+    let is_below = |ratio: &f32| errors(*ratio).1 < rare;
+    assert_eq!((1..=8).map(|half| 2.0 * half as f32).rfind(is_below), Some(DEFAULT_RATIO));
+    assert!(mean < 0.75 * plain, "{mean} {plain}");
 }

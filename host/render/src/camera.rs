@@ -12,7 +12,7 @@ pub(super) struct Camera {
     eye: DVec3,
     right: DVec3,
     up: DVec3,
-    forward: DVec3,
+    pub(super) forward: DVec3,
     /// The tangent of half the picture's height.
     tangent: f64,
     size: Size,

@@ -130,4 +130,9 @@ impl Shot {
             seed: 0,
         }
     }
+
+    /// The direction from what the camera looks at to the camera.
+    pub fn toward_camera(&self) -> [f32; 3] {
+        (-scene::arrange(self, Size { width: 1, height: 1 }).0.forward).as_vec3().to_array()
+    }
 }

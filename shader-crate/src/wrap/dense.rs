@@ -18,13 +18,15 @@
 //!   itself, at most `(r + 1) / (2 sqrt r) e`: 1.25 e for r = 4. So the mean in front falls with r, and **the maximum
 //!   in front does not**: it grows, since all that the border's circle loses in length it gains in width. No map that
 //!   is symmetric about an axis can have less there with these shares of the codes, as the border must keep its place.
-//! * The trade, in degrees; r = 2 has the better half of the gain, and above 8 the front gains nothing:
+//! * The trade, in degrees; r = 2 has the better half of the gain over a half's directions, and above 8 the front gains
+//!   nothing there. Most normals that a camera sees face it, where the gain is greatest: see [`DEFAULT_RATIO`].
 //!
 //! | codec | r | mean in front | behind | largest in front | behind |
 //! |---|---|---|---|---|---|
 //! | `oct16p` | 1 | 0.3146 | 0.3150 | 0.635 | 0.635 |
 //! | `oct16p` | 2 | 0.2687 | 0.4032 | 0.797 | 0.846 |
 //! | `oct16p` | 4 | 0.2550 | 0.5094 | 1.13 | 1.26 |
+//! | `oct16p` | 6 | 0.2528 | 0.5801 | 1.42 | 1.51 |
 //! | `oct16p` | 8 | 0.2526 | 0.6358 | 1.61 | 1.68 |
 //! | `oct16p` | 16 | 0.2545 | 0.7952 | 1.85 | 2.10 |
 //! | `oct16p` | - | 0.3146 | 0.3150 | 0.635 | 0.635 |
@@ -43,8 +45,10 @@ use crate::list::Listed;
 use core::marker::PhantomData;
 use glam::Vec3;
 
-/// A fair trade with the precise octahedral codes: 0.81 of the mean error in front, 1.6 times the mean error behind.
-pub const DEFAULT_RATIO: f32 = 4.0;
+/// The ratio for normals of what a camera sees, with the axis towards it: of rendered views `oct16p` has 0.71 of the mean
+/// error that it has without a density, and less error in all but a thousandth of the pixels. Greater ratios lower the mean
+/// by a tenth at most, and make the errors at silhouettes greater than without one.
+pub const DEFAULT_RATIO: f32 = 6.0;
 
 /// The largest ratio of codes in front to codes behind.
 pub const MAX_RATIO: f32 = 64.0;
