@@ -6,6 +6,8 @@
 
 mod bc5;
 mod search;
+#[cfg(test)]
+mod tests;
 
 use crate::Pair;
 use bc5::{Block, Range, SNORM, UNORM};
