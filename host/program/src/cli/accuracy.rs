@@ -2,6 +2,7 @@ use super::run::{Json, Live, Outputs, Screen};
 use super::table::{Column, Wide, left, right};
 use super::{OpenBackend, Vulkan, counts, degrees, number, write_chart};
 use clap::{Args, ValueEnum};
+use std::fmt::Display;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_catalogue::{AnyCodec, Domain, frames, rotations};
@@ -171,10 +172,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
 
 /// The table of blocks.
 fn compress(arguments: &Arguments, is_quiet: bool) -> Result<ExitCode> {
-    if arguments.float64 || arguments.chart.is_some() {
-        return Err(Error::Usage(
-            "blocks have no chart and no float64 errors; leave out --chart and --float64".to_owned(),
-        ));
+    if arguments.float64 || arguments.chart.is_some() || arguments.backend != BackendKind::Cpu {
+        let words =
+            "blocks have no chart, and the CPU alone makes them; leave out --chart, --float64 and --backend";
+        return Err(Error::Usage(words.to_owned()));
     }
     let columns = vec![
         left("map", 7),
@@ -187,17 +188,31 @@ fn compress(arguments: &Arguments, is_quiet: bool) -> Result<ExitCode> {
         right("max", 9).rank(1),
         right("ratio", 6).rank(1),
     ];
-    let all = blocks::Stored::all();
+    let (all, mut rows) = (blocks::Stored::all(), Vec::new());
     let count = (blocks::MAPS.len() * all.len()) as u64;
     let live = Live::new(Some(count), "{msg:<18} {wide_bar} {pos} of {len} rows, {eta} left", is_quiet);
     let screen = Screen::new(columns, &arguments.wide, live)?;
     screen.head(BLOCKS_LEGEND)?;
-    let mut rows = Vec::new();
     for map in &blocks::MAPS {
         let normals = map.normals(arguments.seed);
         for stored in &all {
             let row = blocks::measure(map, &normals, *stored);
-            screen.row(row.codec, || block_line(&screen, &row))?;
+            let [mean, max] = [row.mean_deg, row.max_deg].map(degrees);
+            let [by_channel, by_channel_max] =
+                [row.by_channel_mean_deg, row.by_channel_max_deg].map(|error| number(error, 6));
+            let ratio = number(row.by_channel_mean_deg.map(|mean| row.mean_deg / mean), 3);
+            let cells: [&dyn Display; 9] = [
+                &row.map,
+                &row.codec,
+                &row.format,
+                &row.bits,
+                &mean,
+                &max,
+                &by_channel,
+                &by_channel_max,
+                &ratio,
+            ];
+            screen.row(row.codec, || screen.line(&cells))?;
             screen.live.advance(1);
             rows.push(row);
         }
@@ -206,20 +221,6 @@ fn compress(arguments: &Arguments, is_quiet: bool) -> Result<ExitCode> {
     arguments.outputs.write(&rows)?;
     arguments.json.write(&Report { rows: Vec::new(), blocks: rows })?;
     Ok(ExitCode::SUCCESS)
-}
-
-fn block_line(screen: &Screen, row: &blocks::Row) -> String {
-    screen.line(&[
-        &row.map,
-        &row.codec,
-        &row.format,
-        &row.bits,
-        &degrees(row.mean_deg),
-        &degrees(row.max_deg),
-        &row.by_channel_mean_deg.map_or_else(|| "-".to_owned(), degrees),
-        &row.by_channel_max_deg.map_or_else(|| "-".to_owned(), degrees),
-        &number(row.by_channel_mean_deg.map(|mean| row.mean_deg / mean), 3),
-    ])
 }
 
 const BLOCKS_LEGEND: &str = "errors in degrees, of maps of 512 by 512 normals; by channel: BC5 as the crate block_compression \
