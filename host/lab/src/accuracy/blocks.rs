@@ -38,16 +38,16 @@ impl Spectrum {
     pub fn normals(&self, seed: u64) -> Vec<[f32; 3]> {
         let (side, mut random) = (SIDE as usize, Pcg64Mcg::seed_from_u64(seed));
         let wave_number = |at: usize| if at < side / 2 { at as f64 } else { at as f64 - side as f64 };
-        let mut slopes = [vec![DVec2::ZERO; side * side], vec![DVec2::ZERO; side * side]];
-        for at in 1..side * side {
+        let mut waves = vec![[DVec2::ZERO; 2]; side * side];
+        for (at, slopes) in waves.iter_mut().enumerate().skip(1) {
             let k = DVec2::new(wave_number(at % side), wave_number(at / side));
             let height =
                 k.length().powf(-0.5 * self.exponent) * DVec2::from_angle(random.random_range(0.0..TAU));
             // The derivative of a wave: i k times it.
-            slopes[0][at] = k.x * height.perp();
-            slopes[1][at] = k.y * height.perp();
+            *slopes = [k.x * height.perp(), k.y * height.perp()];
         }
-        let [x, y] = slopes.map(|slopes| transform_map(slopes, side));
+        let [x, y] =
+            [0, 1].map(|axis| transform_map(waves.iter().map(|slopes| slopes[axis]).collect(), side));
         // The real parts are the slopes of the heights' real part.
         let slopes = || x.iter().zip(&y).map(|(x, y)| DVec2::new(x.x, y.x));
         let scale = self.steepest_deg.to_radians().tan() / slopes().map(DVec2::length).fold(0.0, f64::max);
