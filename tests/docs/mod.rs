@@ -3,6 +3,7 @@
 //! `<!-- generated: NAME -->` begins a generated part, `<!-- end -->` ends it. `cargo xtask renew tables` writes them all again.
 
 pub mod accuracy;
+mod blocks;
 #[cfg(feature = "glsl")]
 mod commands;
 pub mod costs;

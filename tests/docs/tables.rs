@@ -2,8 +2,8 @@
 
 use super::accuracy::{self, Errors};
 use super::{
-    compare, costs, devices, dither, drivers, formats, imprecise, interop, languages, markdown_table, orders,
-    papers, pictures, processors, projected, slices, textbook,
+    blocks, compare, costs, devices, dither, drivers, formats, imprecise, interop, languages, markdown_table,
+    orders, papers, pictures, processors, projected, slices, textbook,
 };
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -34,6 +34,7 @@ pub fn table(name: &str) -> Option<String> {
         "components" => textbook::components(),
         "papers" => papers::table(),
         "meyer" => papers::meyer(),
+        "blocks" => blocks::table(rest),
         "orders" => orders::table(),
         "related" => papers::related(),
         "errors" => errors(rest),

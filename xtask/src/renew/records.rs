@@ -198,6 +198,18 @@ pub static RECORDS: &[Record] = &[
         ..FILE
     },
     Record {
+        name: "blocks",
+        outputs: &[Bytes("docs/data/blocks.csv")],
+        from: "normal maps in compressed blocks, on the CPU",
+        inputs: &[
+            CODECS,
+            &[Code("host/lab/src/accuracy/blocks.rs host/texture/src/pair.rs host/texture/src/block/*.rs")],
+        ],
+        minutes: 2,
+        renew: || unitvec(&["accuracy", "--table", "blocks", "--csv", "docs/data/blocks.csv"]),
+        ..FILE
+    },
+    Record {
         name: "textbook",
         outputs: &[Bytes("docs/data/textbook.csv")],
         from: "`glsl/textbook/` on lavapipe, and the codecs",

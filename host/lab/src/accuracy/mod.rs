@@ -1,6 +1,7 @@
 //! The survey's error tables, measured again beside the published figures and the bound that no code can beat.
 
 pub mod beyond;
+pub mod blocks;
 pub mod chart;
 pub mod meyer;
 

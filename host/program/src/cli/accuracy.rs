@@ -2,13 +2,14 @@ use super::run::{Json, Live, Outputs, Screen};
 use super::table::{Column, Wide, left, right};
 use super::{OpenBackend, Vulkan, counts, degrees, number, write_chart};
 use clap::{Args, ValueEnum};
+use std::fmt::Display;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_catalogue::{AnyCodec, Domain, frames, rotations};
-use unitvec_host::Result;
+use unitvec_host::{Error, Result};
 use unitvec_lab::accuracy;
 use unitvec_lab::accuracy::meyer::{METHODS, Method, WIDTHS};
-use unitvec_lab::accuracy::{Published, Row, Table, beyond, chart};
+use unitvec_lab::accuracy::{Published, Row, Table, beyond, blocks, chart};
 use unitvec_run::backend::{Backend, BackendKind};
 
 #[derive(Args)]
@@ -53,7 +54,9 @@ enum TableName {
     Meyer,
     /// What no published table has: all other codecs, and tangent frames.
     Beyond,
-    /// All four.
+    /// Normal maps in compressed blocks, by `--seed`.
+    Blocks,
+    /// All but blocks.
     All,
 }
 
@@ -131,10 +134,15 @@ impl TableName {
 pub struct Report {
     /// A row for each codec of each table, and for each part of a frame.
     rows: Vec<Row>,
+    /// The rows of blocks, where they were asked for.
+    blocks: Vec<blocks::Row>,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let is_quiet = arguments.outputs.take_stdout(&arguments.json)?;
+    if arguments.table == TableName::Blocks {
+        return compress(arguments, is_quiet);
+    }
     let (jobs, missing) = arguments.table.jobs();
     let live =
         Live::new(Some(jobs.len() as u64), "{msg:<18} {wide_bar} {pos} of {len} rows, {eta} left", is_quiet);
@@ -158,9 +166,65 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         write_chart(path, chart::svg(&rows))?;
     }
     arguments.outputs.write(&rows)?;
-    arguments.json.write(&Report { rows })?;
+    arguments.json.write(&Report { rows, blocks: Vec::new() })?;
     Ok(open.close())
 }
+
+/// The table of blocks.
+fn compress(arguments: &Arguments, is_quiet: bool) -> Result<ExitCode> {
+    if arguments.float64 || arguments.chart.is_some() || arguments.backend != BackendKind::Cpu {
+        let words =
+            "blocks have no chart, and the CPU alone makes them; leave out --chart, --float64 and --backend";
+        return Err(Error::Usage(words.to_owned()));
+    }
+    let columns = vec![
+        left("map", 7),
+        left("codec", 10),
+        left("format", 9),
+        right("bits", 4),
+        right("mean", 9).apart(),
+        right("max", 9),
+        right("by channel: mean", 16).apart().rank(1),
+        right("max", 9).rank(1),
+        right("ratio", 6).rank(1),
+    ];
+    let (all, mut rows) = (blocks::Stored::all(), Vec::new());
+    let count = (blocks::MAPS.len() * all.len()) as u64;
+    let live = Live::new(Some(count), "{msg:<18} {wide_bar} {pos} of {len} rows, {eta} left", is_quiet);
+    let screen = Screen::new(columns, &arguments.wide, live)?;
+    screen.head(BLOCKS_LEGEND)?;
+    for map in &blocks::MAPS {
+        let normals = map.normals(arguments.seed);
+        for stored in &all {
+            let row = blocks::measure(map, &normals, *stored);
+            let [mean, max] = [row.mean_deg, row.max_deg].map(degrees);
+            let [by_channel, by_channel_max] =
+                [row.by_channel_mean_deg, row.by_channel_max_deg].map(|error| number(error, 6));
+            let ratio = number(row.by_channel_mean_deg.map(|mean| row.mean_deg / mean), 3);
+            let cells: [&dyn Display; 9] = [
+                &row.map,
+                &row.codec,
+                &row.format,
+                &row.bits,
+                &mean,
+                &max,
+                &by_channel,
+                &by_channel_max,
+                &ratio,
+            ];
+            screen.row(row.codec, || screen.line(&cells))?;
+            screen.live.advance(1);
+            rows.push(row);
+        }
+    }
+    screen.end("")?;
+    arguments.outputs.write(&rows)?;
+    arguments.json.write(&Report { rows: Vec::new(), blocks: rows })?;
+    Ok(ExitCode::SUCCESS)
+}
+
+const BLOCKS_LEGEND: &str = "errors in degrees, of maps of 512 by 512 normals; by channel: BC5 as the crate block_compression \
+     encodes it; ratio is ours / by channel\n";
 
 const LEGEND: &str = "errors in degrees; ratio is ours / published (Meyer: their bound); least is that of hexagonal \
      covering; waste is bits against it; ± is the survey's mark of errors that float64 lowers; --float64 adds mean and max \

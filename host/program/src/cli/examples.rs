@@ -21,6 +21,7 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
     ("error", "error --json errors.json normals.f32", "as JSON as well"),
     ("accuracy", "accuracy --table 1", "the survey's table 1"),
     ("accuracy", "accuracy --table beyond --csv errors.csv", "all other codecs"),
+    ("accuracy", "accuracy --table blocks", "normal maps in BC5 and BC7"),
     ("bench", "bench --codec oct16,oct32", "on the best device; or `bench device`"),
     ("bench", "bench compiler --gpu rdna2", "by Mesa's compiler, without a GPU"),
     ("bench device", "bench device --codec oct16 --json costs.json", "for `choose --costs`"),
