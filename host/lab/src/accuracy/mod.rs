@@ -2,6 +2,7 @@
 
 pub mod beyond;
 pub mod chart;
+pub mod filtering;
 pub mod meyer;
 
 use crate::Result;

@@ -5,8 +5,9 @@ use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_catalogue::{AnyCodec, Domain, frames, rotations};
-use unitvec_host::Result;
+use unitvec_host::{Error, Result};
 use unitvec_lab::accuracy;
+use unitvec_lab::accuracy::filtering::{self, MAPS, Sample};
 use unitvec_lab::accuracy::meyer::{METHODS, Method, WIDTHS};
 use unitvec_lab::accuracy::{Published, Row, Table, beyond, chart};
 use unitvec_run::backend::{Backend, BackendKind};
@@ -16,9 +17,9 @@ pub struct Arguments {
     /// Which table to measure.
     #[arg(long, value_enum, default_value = "all")]
     table: TableName,
-    /// Random directions for each row.
-    #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = counts())]
-    count: u64,
+    /// Random directions for each row: 1000000 if not given, 4000 for filtering.
+    #[arg(long, value_name = "N", value_parser = counts())]
+    count: Option<u64>,
     /// Seed of the random directions.
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
@@ -53,7 +54,9 @@ enum TableName {
     Meyer,
     /// What no published table has: all other codecs, and tangent frames.
     Beyond,
-    /// All four.
+    /// Errors of components that hardware filters, blends or resolves before they are decoded, in float64.
+    Filtering,
+    /// All but filtering.
     All,
 }
 
@@ -76,7 +79,8 @@ impl Job {
     }
 
     fn measure(&self, backend: &mut dyn Backend, arguments: &Arguments) -> Result<Vec<Row>> {
-        let (codec, count, seed) = (self.codec(), arguments.count as usize, arguments.seed);
+        let (codec, count, seed) =
+            (self.codec(), arguments.count.unwrap_or(1_000_000) as usize, arguments.seed);
         let with_float64 = |mut row: Row, domain: Domain| {
             if arguments.float64 {
                 let errors = accuracy::measure_float64(codec, domain, count, seed);
@@ -131,10 +135,15 @@ impl TableName {
 pub struct Report {
     /// A row for each codec of each table, and for each part of a frame.
     rows: Vec<Row>,
+    /// The rows of filtering, where it was asked for.
+    filtering: Vec<filtering::Row>,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let is_quiet = arguments.outputs.take_stdout(&arguments.json)?;
+    if arguments.table == TableName::Filtering {
+        return filter(arguments, is_quiet);
+    }
     let (jobs, missing) = arguments.table.jobs();
     let live =
         Live::new(Some(jobs.len() as u64), "{msg:<18} {wide_bar} {pos} of {len} rows, {eta} left", is_quiet);
@@ -158,9 +167,45 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         write_chart(path, chart::svg(&rows))?;
     }
     arguments.outputs.write(&rows)?;
-    arguments.json.write(&Report { rows })?;
+    arguments.json.write(&Report { rows, filtering: Vec::new() })?;
     Ok(open.close())
 }
+
+/// The table of filtering.
+fn filter(arguments: &Arguments, is_quiet: bool) -> Result<ExitCode> {
+    if arguments.chart.is_some() {
+        return Err(Error::Usage("--chart draws other tables; leave it out".to_owned()));
+    }
+    let mut columns = vec![left("map", 17), left("channel", 7), left("region", 6)];
+    columns.extend(["mean", "max", "torn"].map(|heading| right(heading, 9)));
+    columns.extend(["decoded mean", "decoded max"].map(|heading| right(heading, 12).rank(1)));
+    let live = Live::new(Some(MAPS.len() as u64), "{msg:<18} {wide_bar} {pos} of {len} maps", is_quiet);
+    let screen = Screen::new(columns, &arguments.wide, live)?;
+    screen.head(FILTER_LEGEND)?;
+    let mut rows = Vec::new();
+    for map in &MAPS {
+        let measured = filtering::measure(map, arguments.count.unwrap_or(4_000) as usize, arguments.seed);
+        let shown = measured.iter().filter(|row| row.sample == Sample::Midpoint && row.apart_deg == 1.0);
+        screen.row(map.name, || shown.map(|row| filter_line(&screen, row)).collect())?;
+        screen.live.advance(1);
+        rows.extend(measured);
+    }
+    arguments.outputs.write(&rows)?;
+    arguments.json.write(&Report { rows: Vec::new(), filtering: rows })?;
+    screen.end("")
+}
+
+fn filter_line(screen: &Screen, row: &filtering::Row) -> String {
+    let filtering::Row { map, channel, region, torn, .. } = row;
+    let region = format!("{region:?}").to_lowercase();
+    let torn = format!("{:.2} %", 100.0 * torn);
+    let [mean, max] = [row.mean_deg, row.max_deg].map(degrees);
+    let [decoded, decoded_max] = [row.decoded_mean_deg, row.decoded_max_deg].map(degrees);
+    screen.line(&[map, channel, &region, &mean, &max, &torn, &decoded, &decoded_max])
+}
+
+const FILTER_LEGEND: &str = "midpoints of neighbours 1 degree apart: errors in degrees of components blended and then decoded, to the same \
+     blend of the vectors; torn are those off by more than 2; --csv and --json have all samples and distances\n";
 
 const LEGEND: &str = "errors in degrees; ratio is ours / published (Meyer: their bound); least is that of hexagonal \
      covering; waste is bits against it; ± is the survey's mark of errors that float64 lowers; --float64 adds mean and max \
