@@ -10,6 +10,7 @@ mod devices;
 mod dither;
 mod drivers;
 mod engines;
+mod filtering;
 pub mod formats;
 mod imprecise;
 mod interop;
