@@ -133,11 +133,19 @@ fn frames_are_measured_on_the_backend() {
 
 #[test]
 fn rows_are_written_as_csv() {
-    let output = run(["accuracy", "--table", "3", "--count", "100", "--csv", "-"]);
-    let text = stdout(&output);
-    let mut lines = text.lines();
-    assert!(lines.next().unwrap().starts_with("table,id,survey_name,bits,mean_deg,max_deg,survey_mean_deg"));
-    assert!(lines.next().unwrap().starts_with("3,"));
+    for (table, titles, first) in [
+        ("3", "table,id,survey_name,bits,mean_deg,max_deg,survey_mean_deg", "3,"),
+        (
+            "filtering",
+            "map,channel,region,sample,apart_deg,mean_deg,max_deg,torn",
+            "xyz,exact,domain,midpoint,",
+        ),
+    ] {
+        let text = stdout(&run(["accuracy", "--table", table, "--count", "100", "--csv", "-"]));
+        let mut lines = text.lines();
+        assert!(lines.next().unwrap().starts_with(titles), "{text}");
+        assert!(lines.next().unwrap().starts_with(first), "{text}");
+    }
 }
 
 /// What the table beyond the surveys prints on a terminal of 80 columns, and its rows.

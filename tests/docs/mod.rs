@@ -11,6 +11,7 @@ mod devices;
 mod dither;
 mod drivers;
 mod engines;
+mod filtering;
 pub mod formats;
 mod imprecise;
 mod interop;

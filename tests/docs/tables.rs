@@ -2,8 +2,8 @@
 
 use super::accuracy::{self, Errors};
 use super::{
-    blocks, compare, costs, devices, dither, drivers, formats, imprecise, interop, languages, markdown_table,
-    orders, papers, pictures, processors, projected, slices, textbook,
+    blocks, compare, costs, devices, dither, drivers, filtering, formats, imprecise, interop, languages,
+    markdown_table, orders, papers, pictures, processors, projected, slices, textbook,
 };
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -43,6 +43,8 @@ pub fn table(name: &str) -> Option<String> {
         "costs-compilers" => costs::compilers(),
         "costs-exact" => costs::exact(),
         "costs-stages" => costs::stages(),
+        "filtering-maps" => filtering::of_maps(),
+        "filtering-channels" => filtering::of_channels(),
         "formats" => formats::names(),
         "formats-use" => formats::table(),
         "formats-vulkan" => formats::promised(),

@@ -3,6 +3,7 @@
 pub mod beyond;
 pub mod blocks;
 pub mod chart;
+pub mod filtering;
 pub mod meyer;
 
 use crate::Result;

@@ -8,6 +8,7 @@ use std::process::ExitCode;
 use unitvec_catalogue::{AnyCodec, Domain, frames, rotations};
 use unitvec_host::{Error, Result};
 use unitvec_lab::accuracy;
+use unitvec_lab::accuracy::filtering::{self, MAPS, Sample};
 use unitvec_lab::accuracy::meyer::{METHODS, Method, WIDTHS};
 use unitvec_lab::accuracy::{Published, Row, Table, beyond, blocks, chart};
 use unitvec_run::backend::{Backend, BackendKind};
@@ -17,9 +18,9 @@ pub struct Arguments {
     /// Which table to measure.
     #[arg(long, value_enum, default_value = "all")]
     table: TableName,
-    /// Random directions for each row.
-    #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = counts())]
-    count: u64,
+    /// Random directions for each row: 1000000 if not given, 4000 for filtering.
+    #[arg(long, value_name = "N", value_parser = counts())]
+    count: Option<u64>,
     /// Seed of the random directions.
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
@@ -56,7 +57,9 @@ enum TableName {
     Beyond,
     /// Normal maps in compressed blocks, by `--seed`.
     Blocks,
-    /// All but blocks.
+    /// Errors of components that hardware filters, blends or resolves before they are decoded, in float64.
+    Filtering,
+    /// All but blocks and filtering.
     All,
 }
 
@@ -79,7 +82,8 @@ impl Job {
     }
 
     fn measure(&self, backend: &mut dyn Backend, arguments: &Arguments) -> Result<Vec<Row>> {
-        let (codec, count, seed) = (self.codec(), arguments.count as usize, arguments.seed);
+        let (codec, count, seed) =
+            (self.codec(), arguments.count.unwrap_or(1_000_000) as usize, arguments.seed);
         let with_float64 = |mut row: Row, domain: Domain| {
             if arguments.float64 {
                 let errors = accuracy::measure_float64(codec, domain, count, seed);
@@ -130,18 +134,23 @@ impl TableName {
 }
 
 /// The errors of all rows.
-#[derive(serde::Serialize, schemars::JsonSchema)]
+#[derive(Default, serde::Serialize, schemars::JsonSchema)]
 pub struct Report {
     /// A row for each codec of each table, and for each part of a frame.
     rows: Vec<Row>,
     /// The rows of blocks, where they were asked for.
     blocks: Vec<blocks::Row>,
+    /// The rows of filtering, where it was asked for.
+    filtering: Vec<filtering::Row>,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let is_quiet = arguments.outputs.take_stdout(&arguments.json)?;
     if arguments.table == TableName::Blocks {
         return compress(arguments, is_quiet);
+    }
+    if arguments.table == TableName::Filtering {
+        return filter(arguments, is_quiet);
     }
     let (jobs, missing) = arguments.table.jobs();
     let live =
@@ -166,7 +175,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         write_chart(path, chart::svg(&rows))?;
     }
     arguments.outputs.write(&rows)?;
-    arguments.json.write(&Report { rows, blocks: Vec::new() })?;
+    arguments.json.write(&Report { rows, ..Report::default() })?;
     Ok(open.close())
 }
 
@@ -219,12 +228,48 @@ fn compress(arguments: &Arguments, is_quiet: bool) -> Result<ExitCode> {
     }
     screen.end("")?;
     arguments.outputs.write(&rows)?;
-    arguments.json.write(&Report { rows: Vec::new(), blocks: rows })?;
+    arguments.json.write(&Report { blocks: rows, ..Report::default() })?;
     Ok(ExitCode::SUCCESS)
 }
 
 const BLOCKS_LEGEND: &str = "errors in degrees, of maps of 512 by 512 normals; by channel: BC5 as the crate block_compression \
      encodes it; ratio is ours / by channel\n";
+
+/// The table of filtering.
+fn filter(arguments: &Arguments, is_quiet: bool) -> Result<ExitCode> {
+    if arguments.chart.is_some() {
+        return Err(Error::Usage("--chart draws other tables; leave it out".to_owned()));
+    }
+    let mut columns = vec![left("map", 17), left("channel", 7), left("region", 6)];
+    columns.extend(["mean", "max", "torn"].map(|heading| right(heading, 9)));
+    columns.extend(["decoded mean", "decoded max"].map(|heading| right(heading, 12).rank(1)));
+    let live = Live::new(Some(MAPS.len() as u64), "{msg:<18} {wide_bar} {pos} of {len} maps", is_quiet);
+    let screen = Screen::new(columns, &arguments.wide, live)?;
+    screen.head(FILTER_LEGEND)?;
+    let mut rows = Vec::new();
+    for map in &MAPS {
+        let measured = filtering::measure(map, arguments.count.unwrap_or(4_000) as usize, arguments.seed);
+        let shown = measured.iter().filter(|row| row.sample == Sample::Midpoint && row.apart_deg == 1.0);
+        screen.row(map.name, || shown.map(|row| filter_line(&screen, row)).collect())?;
+        screen.live.advance(1);
+        rows.extend(measured);
+    }
+    arguments.outputs.write(&rows)?;
+    arguments.json.write(&Report { filtering: rows, ..Report::default() })?;
+    screen.end("")
+}
+
+fn filter_line(screen: &Screen, row: &filtering::Row) -> String {
+    let filtering::Row { map, channel, region, torn, .. } = row;
+    let region = format!("{region:?}").to_lowercase();
+    let torn = format!("{:.2} %", 100.0 * torn);
+    let [mean, max] = [row.mean_deg, row.max_deg].map(degrees);
+    let [decoded, decoded_max] = [row.decoded_mean_deg, row.decoded_max_deg].map(degrees);
+    screen.line(&[map, channel, &region, &mean, &max, &torn, &decoded, &decoded_max])
+}
+
+const FILTER_LEGEND: &str = "midpoints of neighbours 1 degree apart: errors in degrees of components blended and then decoded, to the same \
+     blend of the vectors; torn are those off by more than 2; --csv and --json have all samples and distances\n";
 
 const LEGEND: &str = "errors in degrees; ratio is ours / published (Meyer: their bound); least is that of hexagonal \
      covering; waste is bits against it; ± is the survey's mark of errors that float64 lowers; --float64 adds mean and max \

@@ -8,6 +8,7 @@ mod dither;
 mod earlier;
 mod errors;
 mod figure;
+mod filtering;
 mod latlong;
 mod paint;
 mod pictures;
@@ -66,6 +67,8 @@ pub enum Part {
     Rotations,
     /// Error maps of caps.
     Caps,
+    /// Errors of components that are filtered before they are decoded.
+    Filtering,
     /// Error against cost.
     Front,
 }
@@ -125,11 +128,9 @@ fn front() -> Result<Figure> {
 /// Any error of rendering and measuring.
 pub fn draw(part: Part, options: &Options, camera: &mut dyn Camera) -> Result<Figure> {
     let figure = drawn(part, options, camera)?;
-    let ignores = matches!(
-        part,
-        Part::Two | Part::Three | Part::Four | Part::Dither | Part::Rotations | Part::Caps | Part::Front
-    );
-    if ignores || options.codecs.is_empty() {
+    use Part::{Eight, Errors, Five, Meyer, One, Seven, Six};
+    let takes_codecs = matches!(part, One | Five | Six | Seven | Eight | Meyer | Errors);
+    if !takes_codecs || options.codecs.is_empty() {
         return Ok(figure);
     }
     let asked: Vec<&str> = options.codecs.iter().map(|codec| codec.id).collect();
@@ -153,6 +154,7 @@ fn drawn(part: Part, options: &Options, camera: &mut dyn Camera) -> Result<Figur
         Part::Errors => errors::errors(options),
         Part::Rotations => rotations::rotations(options),
         Part::Caps => Ok(caps::caps(options)),
+        Part::Filtering => Ok(filtering::filtering(options)),
         Part::Front => front(),
     }
 }
