@@ -1,6 +1,6 @@
 //! The numbering of `latlong`'s patches (figure 2).
 
-use super::canvas::{Canvas, INK, Type, captioned};
+use super::canvas::{Canvas, Cell, INK, Type, captioned, sheet};
 use super::paint::{self, Colour, SAMPLES, from_srgb};
 use super::{Figure, Number, Options, Shown};
 use glam::DVec3;
@@ -115,7 +115,11 @@ pub fn numbering(options: &Options) -> Figure {
         patches.rings()
     );
     let alt = "A sphere divided into numbered patches between circles of latitude";
-    let shown = Shown::picture("figure2.png", alt, captioned(&canvas.0, &caption));
+    let shown = Shown::picture(
+        "figure2.png",
+        alt,
+        captioned(&sheet(&[Cell { picture: canvas.0, lines: Vec::new() }], 1), &caption),
+    );
     Figure::new("2", "latlong's patches", caption, vec![shown]).with(vec![
         Number::new("patches", patches.count() as f64),
         Number::new("rings", patches.rings() as f64),

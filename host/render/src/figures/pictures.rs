@@ -4,19 +4,15 @@ use super::camera::{Camera, closer, shot, shrunk};
 use super::canvas::{
     Canvas, Cell, GAP, INK, Type, beside, captioned, crop, framed, headed_sheet, places, sheet, stacked,
 };
-use super::compare::{Difference, amplified, mean, mean_where, most_different, rank_correlation};
+use super::compare::{Difference, amplified, most_different};
+use super::ranks::ranks;
 use super::{Figure, Labelled, Number, Options, Place, Shown, Subject};
-use crate::{Material, Normals, OBJECTS, Result, SIDES, Seen, View};
+use crate::{Material, Normals, Result, View};
 use image::RgbImage;
-use unitvec_catalogue::{AnyCodec, Domain, vectors};
-use unitvec_run::backend::Cpu;
-use unitvec_run::measure::measure;
+use unitvec_catalogue::AnyCodec;
 
 /// The factor of differences, as in the survey.
 pub const TIMES: u8 = 8;
-
-/// Directions that mean errors are measured over.
-const MEASURED: usize = 200_000;
 
 /// A material's name in files and captions.
 fn name(material: Material) -> &'static str {
@@ -107,7 +103,7 @@ const FEW: [u32; 2] = [480, 230];
 
 /// Widths of cells.
 const WIDE: [u32; 2] = [480, 320];
-const HALF: [u32; 2] = [320, 190];
+const HALF: [u32; 2] = [320, 180];
 
 /// The part of pictures that a sheet shows: where the first codec's differs most from that of floats.
 pub fn window(options: &Options, widths: [u32; 2], float: &RgbImage, coded: &RgbImage) -> [u32; 4] {
@@ -180,9 +176,9 @@ pub fn one(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
     );
     let alt = "Normals as oct16P, snorm8x3, oct24P and floats: the mirrored lamps of a panel, an edge of one, the difference to \
                floats, and a highlight";
-    let mut head = Canvas::new(columns.width(), columns.width() / 24);
+    let letters = Type { size: columns.width() as f32 / 38.0, is_bold: true };
+    let mut head = Canvas::new(columns.width(), GAP + letters.line() as u32);
     if options.codecs.is_empty() {
-        let letters = Type { size: columns.width() as f32 / 38.0, is_bold: true };
         head.write(HEADLINE, (GAP as f32, GAP as f32), letters, false, INK);
     }
     let all = captioned(&stacked(&[&head.0, &columns]), &words);
@@ -208,7 +204,7 @@ pub fn difference(camera: &mut dyn Camera, options: &Options, material: Material
     let codecs = options.codecs_or("eqarea_ellipse16")?;
     let compared = compare(camera, &codecs, material, View::Scene)?;
     let (float, mut cells, mut numbers) = (&compared[0].picture, Vec::new(), Vec::new());
-    let width = if options.small { 400 } else { 640 };
+    let width = if options.small { 360 } else { 640 };
     for shown in &compared {
         cells.push(Cell { picture: shrunk(&shown.picture, width), lines: shown.lines() });
         let Some(difference) = shown.difference else { continue };
@@ -306,69 +302,6 @@ pub fn eight(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
     Ok(Figure::new("8", "Codecs and materials", caption, sheets).with(numbers))
 }
 
-/// The objects that turn in all directions: each shows so many normals that chance evens out. The panel and the faceted body
-/// show a few cells of a code each.
-const CURVED: [&str; 3] = ["bunny", "teapot", "bumpy sphere"];
-
-fn is_curved(seen: &Option<Seen>) -> bool {
-    let name = seen.and_then(|seen| OBJECTS.get(seen.object as usize - 1));
-    name.is_some_and(|name| CURVED.contains(name))
-}
-
-/// The mean error of the normals of some pixels, degrees.
-fn error_shown<'a>(seen: impl Iterator<Item = &'a Option<Seen>>) -> f64 {
-    let seen = seen.flatten();
-    mean(seen.map(|seen| unitvec::angle_deg(seen.normal.to_array(), seen.decoded.to_array())))
-}
-
-/// The bumpy sphere as a mirror, from all sides.
-fn sides(camera: &mut dyn Camera, normals: Normals) -> Result<Vec<RgbImage>> {
-    (0..SIDES).map(|side| camera.picture(&shot(normals, Material::Mirror, View::Side(side)))).collect()
-}
-
-/// The rank correlation of the mirror's differences with the errors, for all codecs of 16 bits: on a sphere that is
-/// seen from all sides, and in the scene, whose normals are spread otherwise than the sphere's.
-fn ranks(camera: &mut dyn Camera, float: &RgbImage) -> Result<Vec<Number>> {
-    const BITS: u32 = 16;
-    let taken = |normals| shot(normals, Material::Mirror, View::Scene);
-    let curved: Vec<bool> = camera.surface(&taken(Normals::Float))?.iter().map(is_curved).collect();
-    let all = vec![true; curved.len()];
-    let float_sides = sides(camera, Normals::Float)?;
-    let is_asked = |codec: &&AnyCodec| codec.bits == BITS && codec.domain == Domain::Sphere && codec.is_unit;
-    let (mut numbers, mut pairs) = (Vec::new(), [const { Vec::new() }; 4]);
-    for codec in vectors().iter().filter(is_asked) {
-        let error = measure(&mut Cpu, codec, Domain::Sphere, MEASURED, 1)?.normal.mean_deg();
-        let coded_sides = sides(camera, Normals::Codec(codec))?;
-        // The sky around the sphere does not differ.
-        let around =
-            mean(float_sides.iter().zip(&coded_sides).map(|(float, coded)| mean_where(&all, float, coded)));
-        let picture = camera.picture(&taken(Normals::Codec(codec)))?;
-        let (whole, on_curved) = (mean_where(&all, float, &picture), mean_where(&curved, float, &picture));
-        let seen = camera.surface(&taken(Normals::Codec(codec)))?;
-        let error_seen = error_shown(seen.iter().filter(|seen| is_curved(seen)));
-        let found = [(error, around), (error_seen, on_curved), (error, on_curved), (error, whole)];
-        pairs.iter_mut().zip(found).for_each(|(pairs, pair)| pairs.push(pair));
-        for (what, value) in [("of a sphere", around), ("on the scene's curved bodies", on_curved)] {
-            numbers.push(Number::new(format!("{}, mirror, mean difference {what}", codec.id), value));
-        }
-    }
-    let names = [
-        "of a sphere from all sides with the mean error over the sphere",
-        "on the scene's curved bodies with the mean error of their normals",
-        "on the scene's curved bodies with the mean error over the sphere",
-        "of the whole scene with the mean error over the sphere",
-    ];
-    let correlation = |(name, pairs): (&str, &Vec<(f64, f64)>)| {
-        let name = format!(
-            "rank correlation of the mirror's mean difference {name}, {} codecs of {BITS} bits",
-            pairs.len()
-        );
-        Number::new(name, rank_correlation(pairs))
-    };
-    numbers.extend(names.into_iter().zip(&pairs).map(correlation));
-    Ok(numbers)
-}
-
 /// The parameterizations of Meyer's figure 3, by the names that it has for them.
 const MEYER: [(&str, &str); 7] = [
     ("pp16", "PP"),
@@ -390,7 +323,7 @@ pub fn meyer(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
     }
     compared[0].label = "FPNV (float32x3)".to_owned();
     let alt = "A highlight on a nearly flat panel, with normals in 16 bits by several codecs";
-    let width = WIDE[usize::from(options.small)];
+    let width = if options.small { 280 } else { 480 };
     let whole = |shown: &Compared| Cell { picture: shrunk(&shown.picture, width), lines: shown.lines() };
     let cells: Vec<Cell> = compared.iter().map(whole).collect();
     let caption = "Figure 3 of Meyer et al.: the Blinn-Phong highlight of a nearly flat panel, with normals in 16 bits. The \

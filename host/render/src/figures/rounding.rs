@@ -57,12 +57,15 @@ pub fn rounding(options: &Options) -> Result<Figure> {
         cells.push(Cell { picture: map(codec, small_side), lines });
         numbers.push(Number::new(format!("{id}, share of codes that are not the nearest point's"), moved));
     }
-    let words = "Where the precise encoder of oct rounds y, over the square: black is down, white is up. Moved are vectors that get \
-                 another code than that of the nearest point on the square.";
-    let bits = captioned(&sheet(&cells, 4), words);
+    let words = "Where the precise encoder of oct rounds y, over the square: black is down, white is up.";
+    let moved = "Moved are vectors that get another code than that of the nearest point on the square.";
+    let bits = captioned(&sheet(&cells, 4), &format!("{words} {moved}"));
+    let main = find(MAIN)?;
+    let lines = vec![format!("{}: {} bits each", main.survey_name, main.bits / 2)];
+    let main = sheet(&[Cell { picture: map(main, side), lines }], 1);
     let alt = "Black and white moire pattern of rounding directions over a square";
     let pictures = vec![
-        Shown::picture("figure4.png", alt, captioned(&map(find(MAIN)?, side), words)),
+        Shown::picture("figure4.png", alt, captioned(&main, words)),
         Shown::picture("figure4_bits.png", "The same pattern for several numbers of bits", bits),
     ];
     let caption = "Where the precise encoder of oct rounds y: black is down, white is up, over the square, sampled at the \
