@@ -31,7 +31,8 @@ pub fn of(platform: &Platform, zig: &Path) -> Result<String, String> {
     };
     libraries.push((linker.to_owned(), read(&files)?));
     // The typeface of figures.
-    libraries.push(("Inter: OFL-1.1".to_owned(), read(&[repository().join("host/render/data/LICENSE-INTER")])?));
+    libraries
+        .push(("Inter: OFL-1.1".to_owned(), read(&[repository().join("host/render/data/LICENSE-INTER")])?));
     let title = format!("The program unitvec {VERSION} for {} contains these libraries.", platform.name);
     Ok(listing(&title, &libraries))
 }

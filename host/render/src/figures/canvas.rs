@@ -236,11 +236,13 @@ pub fn beside(left: &RgbImage, right: &RgbImage) -> RgbImage {
 
 /// A picture with a frame around a part of it.
 pub fn framed(picture: &RgbImage, [left, top, width, height]: [u32; 4]) -> RgbImage {
+    const LINE: u32 = 3;
+    let is_within = |x: u32, y: u32, line: u32| {
+        (left..left + width + 2 * line).contains(&(x + line))
+            && (top..top + height + 2 * line).contains(&(y + line))
+    };
     RgbImage::from_fn(picture.width(), picture.height(), |x, y| {
-        let out = |at: u32, from: u32, size: u32| at + 3 < from || at > from + size + 2;
-        let inside = |at: u32, from: u32, size: u32| (from..from + size).contains(&at);
-        let is_frame = !(out(x, left, width) || out(y, top, height))
-            && !(inside(x, left, width) && inside(y, top, height));
+        let is_frame = is_within(x, y, LINE) && !is_within(x, y, 0);
         if is_frame { Rgb(FRAME) } else { *picture.get_pixel(x, y) }
     })
 }

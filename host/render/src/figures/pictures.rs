@@ -103,7 +103,7 @@ const FEW: [u32; 2] = [480, 230];
 
 /// Widths of cells.
 const WIDE: [u32; 2] = [480, 320];
-const HALF: [u32; 2] = [320, 180];
+const HALF: [u32; 2] = [320, 172];
 
 /// The part of pictures that a sheet shows: where the first codec's differs most from that of floats.
 pub fn window(options: &Options, widths: [u32; 2], float: &RgbImage, coded: &RgbImage) -> [u32; 4] {
