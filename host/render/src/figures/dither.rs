@@ -233,7 +233,7 @@ fn turning(camera: &mut dyn Camera, options: &Options) -> Result<(Shown, Vec<Num
     }
     let alt = "Frames of a turning mirror, with plain and with dithered normals";
     let words = "A mirroring sphere that turns, about a pixel a frame: below each other, plain normals, and normals dithered by \
-                 three kinds of offset. Bands move with the normals; noise does not.";
+                 three kinds of offset.";
     Ok((
         Shown::picture("dither_turning.png", alt, captioned(&sheet(&cells, u32::from(strip)), words)),
         numbers,

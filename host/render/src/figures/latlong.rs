@@ -86,7 +86,7 @@ fn polar(theta: f64, phi: f64) -> DVec3 {
 
 /// Figure 2: `latlong`'s patches and their numbers.
 pub fn numbering(options: &Options) -> Figure {
-    let side = if options.small { 720 } else { 960 };
+    let side = if options.small { 640 } else { 960 };
     let letters = Type { size: side as f32 / 40.0, is_bold: false };
     let patches = Patches::fewest(PATCH_ERROR);
     let view = paint::from_the_side();

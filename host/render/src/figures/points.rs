@@ -66,7 +66,7 @@ fn representable(codec: &AnyCodec) -> Result<Vec<DVec3>> {
 /// # Errors
 /// The errors of [`measure`], which would be a fault of this crate.
 pub fn points(options: &Options) -> Result<Figure> {
-    let side = if options.small { 170 } else { 360 };
+    let side = if options.small { 160 } else { 360 };
     let (mut cells, mut numbers) = (Vec::new(), Vec::new());
     for codec in options.codecs_or(DISTRIBUTIONS)? {
         let directions = representable(codec)?;
