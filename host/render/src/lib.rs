@@ -116,6 +116,8 @@ pub struct Shot {
     pub turn_degrees: f32,
     /// Moves the offsets that belong to the screen from frame to frame; 0 for ones that stay.
     pub seed: u32,
+    /// The part of the view that fills the picture: left, top, width and height in pixels of the whole, neither 0.
+    pub part: Option<[u32; 4]>,
 }
 
 impl Shot {
@@ -128,6 +130,7 @@ impl Shot {
             view: View::Scene,
             turn_degrees: 0.0,
             seed: 0,
+            part: None,
         }
     }
 

@@ -56,7 +56,10 @@ fn sides() -> (DVec3, DVec3) {
 pub(super) fn arrange(shot: &Shot, size: Size) -> (Camera, Vec<Placed>) {
     let (right, toward) = sides();
     let place = |along: f64, up: f64, near: f64| right * along + DVec3::Y * up + toward * near;
-    let camera = |eye, at, degrees| Camera::new(eye, at, degrees, size);
+    let camera = |eye, at, degrees| {
+        let whole = Camera::new(eye, at, degrees, size);
+        shot.part.map_or(whole, |part| whole.closer(part))
+    };
     let turn_degrees = f64::from(shot.turn_degrees);
     match shot.view {
         View::Scene => (camera(place(0.0, 1.5, 11.0), place(0.0, 0.45, 0.0), 31.0), all(place, 0.0)),

@@ -30,6 +30,9 @@ pub fn of(platform: &Platform, zig: &Path) -> Result<String, String> {
         ("mingw-w64: as its text says", vec!["/usr/share/doc/mingw-w64-x86-64-dev/copyright".into()])
     };
     libraries.push((linker.to_owned(), read(&files)?));
+    // The typeface of figures.
+    libraries
+        .push(("Inter: OFL-1.1".to_owned(), read(&[repository().join("host/render/data/LICENSE-INTER")])?));
     let title = format!("The program unitvec {VERSION} for {} contains these libraries.", platform.name);
     Ok(listing(&title, &libraries))
 }

@@ -2,6 +2,7 @@
 
 use crate::{Material, Normals, Renderer, Result, Seen, Shot, View};
 use image::RgbImage;
+use image::imageops::{FilterType, resize};
 
 /// Takes pictures, as bytes of sRGB.
 pub trait Camera {
@@ -34,4 +35,15 @@ impl Camera for Renderer {
 /// A shot of some normals.
 pub fn shot(normals: Normals, material: Material, view: View) -> Shot {
     Shot { normals, view, ..Shot::new(material) }
+}
+
+/// A part of the view, rendered to fill a picture and shrunk to this width, which smooths its edges.
+pub fn closer(camera: &mut dyn Camera, shot: &Shot, part: [u32; 4], width: u32) -> Result<RgbImage> {
+    Ok(shrunk(&camera.picture(&Shot { part: Some(part), ..*shot })?, width))
+}
+
+/// A whole picture, this wide.
+pub fn shrunk(picture: &RgbImage, width: u32) -> RgbImage {
+    let height = (picture.height() * width).div_ceil(picture.width());
+    resize(picture, width, height, FilterType::Triangle)
 }

@@ -1,18 +1,87 @@
 //! Pictures of bytes, with text, side by side.
 
-use embedded_graphics::mono_font::iso_8859_1::{FONT_6X10, FONT_9X15};
-use embedded_graphics::mono_font::{MonoFont, MonoTextStyle};
-use embedded_graphics::pixelcolor::Rgb888;
-use embedded_graphics::prelude::{DrawTarget, OriginDimensions, Pixel, Point, RgbColor, Size};
-use embedded_graphics::text::{Alignment, Baseline, Text, TextStyleBuilder};
+use ab_glyph::{Font, FontRef, Glyph, PxScale, ScaleFont, point};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder, ImageResult, Rgb, RgbImage};
-use std::convert::Infallible;
+use std::sync::LazyLock;
 
 /// Ink on paper.
 pub const INK: [u8; 3] = [24, 24, 27];
+/// Ink of what is read second.
+const PALE: [u8; 3] = [82, 82, 91];
+/// The frame of a part that is shown larger.
+const FRAME: [u8; 3] = [220, 38, 38];
 const PAPER: [u8; 3] = [255, 255, 255];
-const GAP: u32 = 6;
+/// The space between pictures, and around them.
+pub const GAP: u32 = 14;
+/// The space between pictures of one cell.
+const JOINT: u32 = 4;
+
+/// Inter, regular and semi-bold, as far as its letters are used; its licence lies beside it. It is in the program, so that
+/// pictures are the same on all machines.
+static INTER: LazyLock<[Option<FontRef<'static>>; 2]> = LazyLock::new(|| {
+    let files: [&[u8]; 2] =
+        [include_bytes!("../../data/Inter-Regular.ttf"), include_bytes!("../../data/Inter-SemiBold.ttf")];
+    files.map(|file| FontRef::try_from_slice(file).ok())
+});
+
+/// Letters of a size, in pixels an em, and a weight.
+#[derive(Clone, Copy)]
+pub struct Type {
+    pub size: f32,
+    pub is_bold: bool,
+}
+
+impl Type {
+    /// Letters for a picture of this width: of one size once it is as wide as a page.
+    pub fn of_width(width: u32) -> Self {
+        Self { size: (width as f32 / 64.0).clamp(18.0, 36.0), is_bold: false }
+    }
+
+    /// The space from a line to the next.
+    pub fn line(self) -> f32 {
+        (1.3 * self.size).ceil()
+    }
+
+    /// The font, with its scale.
+    fn font(self) -> Option<(&'static FontRef<'static>, PxScale)> {
+        let font = INTER[usize::from(self.is_bold)].as_ref()?;
+        Some((font, PxScale::from(self.size * font.height_unscaled() / font.units_per_em()?)))
+    }
+
+    /// The letters of a line that begins at 0 on its baseline, and where it ends.
+    fn set(self, text: &str) -> (Vec<Glyph>, f32) {
+        let Some((font, scale)) = self.font() else { return (Vec::new(), 0.0) };
+        let (scaled, mut end) = (font.as_scaled(scale), 0.0);
+        let glyphs = text.chars().map(|letter| {
+            let glyph = font.glyph_id(letter).with_scale_and_position(scale, point(end, 0.0));
+            end += scaled.h_advance(glyph.id);
+            glyph
+        });
+        (glyphs.collect(), end)
+    }
+
+    /// The width of a line, whole pixels.
+    pub fn width(self, text: &str) -> u32 {
+        self.set(text).1.ceil() as u32
+    }
+
+    /// A text in lines that are no wider than this, unless a word is.
+    fn wrapped(self, text: &str, width: u32) -> Vec<String> {
+        let mut lines = vec![String::new()];
+        for word in text.split(' ') {
+            let last = lines.len() - 1;
+            let longer =
+                if lines[last].is_empty() { word.to_owned() } else { format!("{} {word}", lines[last]) };
+            if lines[last].is_empty() || self.width(&longer) <= width {
+                lines[last] = longer;
+            } else {
+                lines.push(word.to_owned());
+            }
+        }
+        lines
+    }
+}
 
 /// A picture that text is written on.
 pub struct Canvas(pub RgbImage);
@@ -24,14 +93,29 @@ impl Canvas {
     }
 
     /// Writes a line about a point: its top left corner, or its middle.
-    pub fn write(&mut self, text: &str, at: (i32, i32), small: bool, centred: bool, colour: [u8; 3]) {
-        let style = MonoTextStyle::new(font(small), Rgb888::new(colour[0], colour[1], colour[2]));
-        let (alignment, baseline) =
-            if centred { (Alignment::Center, Baseline::Middle) } else { (Alignment::Left, Baseline::Top) };
-        let place = TextStyleBuilder::new().alignment(alignment).baseline(baseline).build();
-        let text = Text::with_text_style(text, Point::new(at.0, at.1), style, place);
-        // A canvas has no way to fail.
-        let _ = embedded_graphics::Drawable::draw(&text, self);
+    pub fn write(&mut self, text: &str, at: (f32, f32), letters: Type, centred: bool, colour: [u8; 3]) {
+        let Some((font, _)) = letters.font() else { return };
+        let (glyphs, width) = letters.set(text);
+        // Inter's capitals are 0.73 em high, and fill the middle of a line.
+        let (left, base) = if centred {
+            (at.0 - 0.5 * width, at.1 + 0.365 * letters.size)
+        } else {
+            (at.0, at.1 + 0.5 * letters.line() + 0.365 * letters.size)
+        };
+        for mut glyph in glyphs {
+            glyph.position += point(left, base.round());
+            let Some(outline) = font.outline_glyph(glyph) else { continue };
+            let corner = outline.px_bounds().min;
+            outline.draw(|x, y, ink| {
+                let place = [corner.x as i64 + i64::from(x), corner.y as i64 + i64::from(y)];
+                let [Ok(x), Ok(y)] = place.map(u32::try_from) else { return };
+                let Some(pixel) = self.0.get_pixel_mut_checked(x, y) else { return };
+                for (channel, colour) in pixel.0.iter_mut().zip(colour) {
+                    let paper = f32::from(*channel);
+                    *channel = (paper + (f32::from(colour) - paper) * ink.clamp(0.0, 1.0)).round() as u8;
+                }
+            });
+        }
     }
 
     /// Puts a picture on it.
@@ -40,88 +124,71 @@ impl Canvas {
     }
 }
 
-fn font(small: bool) -> &'static MonoFont<'static> {
-    if small { &FONT_6X10 } else { &FONT_9X15 }
-}
-
-impl OriginDimensions for Canvas {
-    fn size(&self) -> Size {
-        Size::new(self.0.width(), self.0.height())
-    }
-}
-
-impl DrawTarget for Canvas {
-    type Color = Rgb888;
-    type Error = Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, pixels: I) -> Result<(), Infallible> {
-        for Pixel(at, colour) in pixels {
-            let place = u32::try_from(at.x).ok().zip(u32::try_from(at.y).ok());
-            if let Some(pixel) = place.and_then(|(x, y)| self.0.get_pixel_mut_checked(x, y)) {
-                *pixel = Rgb([colour.r(), colour.g(), colour.b()]);
-            }
-        }
-        Ok(())
-    }
-}
-
-/// A picture with the lines below it.
+/// A picture with the lines above it, the first of which is its name.
 pub struct Cell {
     pub picture: RgbImage,
-    /// One line each; those that are too long for the picture are cut.
+    /// One line each.
     pub lines: Vec<String>,
 }
 
 /// The layout of a sheet's cells.
 struct Layout {
-    /// Width and height of the largest picture.
-    picture: (u32, u32),
-    /// The size of a cell, with its lines and a gap.
-    cell: (u32, u32),
+    /// The width of a cell, which is that of its picture or of a line.
+    width: u32,
+    /// Where each row begins, and how high its lines are; then the sheet's end.
+    rows: Vec<(u32, u32)>,
     columns: u32,
-    rows: u32,
+    /// The letters of a first line, and of others.
+    letters: [Type; 2],
 }
 
 impl Layout {
-    fn of(cells: &[Cell], columns: u32) -> Self {
-        let widest = cells.iter().map(|cell| cell.picture.width()).max().unwrap_or(1);
-        let highest = cells.iter().map(|cell| cell.picture.height()).max().unwrap_or(1);
-        let lines = cells.iter().map(|cell| cell.lines.len()).max().unwrap_or(0) as u32;
+    /// `larger`: the size of names, in that of other lines.
+    fn of(cells: &[Cell], columns: u32, larger: f32) -> Self {
         let columns = columns.clamp(1, cells.len().max(1) as u32);
-        let letter = font(Self::is_small(widest)).character_size;
-        Self {
-            picture: (widest, highest),
-            cell: (widest + GAP, highest + lines * letter.height + 2 * GAP),
-            columns,
-            rows: (cells.len() as u32).div_ceil(columns),
+        let widest = cells.iter().map(|cell| cell.picture.width()).max().unwrap_or(1);
+        let text = Type::of_width(columns * (widest + GAP));
+        let letters = [Type { size: larger * text.size, is_bold: true }, text];
+        let lines = |cell: &Cell| -> Vec<u32> {
+            cell.lines.iter().enumerate().map(|(at, line)| letters[at.min(1)].width(line)).collect()
+        };
+        let width = cells.iter().flat_map(lines).fold(widest, u32::max);
+        let (mut rows, mut top) = (Vec::new(), GAP);
+        for row in cells.chunks(columns as usize) {
+            let lines = row.iter().map(|cell| cell.lines.len()).max().unwrap_or(0);
+            let lines = (0..lines).map(|at| letters[at.min(1)].line() as u32).sum();
+            rows.push((top, lines));
+            top += lines + row.iter().map(|cell| cell.picture.height()).max().unwrap_or(0) + GAP;
         }
+        rows.push((top, 0));
+        Self { width, rows, columns, letters }
     }
 
-    /// True where pictures are too narrow for large letters.
-    fn is_small(widest: u32) -> bool {
-        widest < 300
-    }
-
-    /// Left and top of a cell.
-    fn corner(&self, at: u32) -> (u32, u32) {
-        (GAP + at % self.columns * self.cell.0, GAP + at / self.columns * self.cell.1)
+    /// Left and top of a cell, and the height of its lines.
+    fn corner(&self, at: u32) -> (u32, u32, u32) {
+        let (top, lines) = self.rows[(at / self.columns) as usize];
+        (GAP + at % self.columns * (self.width + GAP), top, lines)
     }
 }
 
-/// Pictures of one size in rows, with their lines below them.
+/// Pictures in rows, with their lines above them.
 pub fn sheet(cells: &[Cell], columns: u32) -> RgbImage {
-    let layout = Layout::of(cells, columns);
-    let (widest, highest) = layout.picture;
-    let small = Layout::is_small(widest);
-    let letter = font(small).character_size;
-    let mut canvas = Canvas::new(layout.columns * layout.cell.0 + GAP, layout.rows * layout.cell.1 + GAP);
+    headed_sheet(cells, columns, 1.0)
+}
+
+/// A [`sheet`] with names in letters so much larger than other lines.
+pub fn headed_sheet(cells: &[Cell], columns: u32, larger: f32) -> RgbImage {
+    let layout = Layout::of(cells, columns, larger);
+    let width = GAP + layout.columns * (layout.width + GAP);
+    let mut canvas = Canvas::new(width, layout.rows.last().map_or(GAP, |end| end.0));
     for (at, cell) in (0u32..).zip(cells) {
-        let (left, top) = layout.corner(at);
-        canvas.put(&cell.picture, left, top);
-        for (line, text) in (0u32..).zip(&cell.lines) {
-            let text: String = text.chars().take((widest / letter.width) as usize).collect();
-            let below = top + highest + GAP / 2 + line * letter.height;
-            canvas.write(&text, (left as i32, below as i32), small, false, INK);
+        let (left, top, lines) = layout.corner(at);
+        canvas.put(&cell.picture, left, top + lines);
+        let mut below = top as f32;
+        for (at, text) in cell.lines.iter().enumerate() {
+            let (letters, colour) = (layout.letters[at.min(1)], if at == 0 { INK } else { PALE });
+            canvas.write(text, (left as f32, below), letters, false, colour);
+            below += letters.line();
         }
     }
     canvas.0
@@ -129,12 +196,67 @@ pub fn sheet(cells: &[Cell], columns: u32) -> RgbImage {
 
 /// The rectangle where [`sheet`] puts each picture: left, top, width and height.
 pub fn places(cells: &[Cell], columns: u32) -> Vec<[u32; 4]> {
-    let layout = Layout::of(cells, columns);
+    let layout = Layout::of(cells, columns, 1.0);
     let place = |(at, cell): (u32, &Cell)| {
-        let (left, top) = layout.corner(at);
-        [left, top, cell.picture.width(), cell.picture.height()]
+        let (left, top, lines) = layout.corner(at);
+        [left, top + lines, cell.picture.width(), cell.picture.height()]
     };
     (0u32..).zip(cells).map(place).collect()
+}
+
+/// A sheet with a caption below it, which says how to read it. Places stay what they are.
+pub fn captioned(sheet: &RgbImage, caption: &str) -> RgbImage {
+    let letters = Type::of_width(sheet.width());
+    let lines = letters.wrapped(caption, sheet.width().saturating_sub(2 * GAP));
+    let height = lines.len() as u32 * letters.line() as u32 + GAP;
+    let mut canvas = Canvas::new(sheet.width(), sheet.height() + height);
+    canvas.put(sheet, 0, 0);
+    for (line, text) in (0u8..).zip(&lines) {
+        let top = sheet.height() as f32 + f32::from(line) * letters.line();
+        canvas.write(text, (GAP as f32, top), letters, false, INK);
+    }
+    canvas.0
+}
+
+/// A picture for a page, twice as large with the same pixels; others as they are.
+pub fn enlarged(picture: &RgbImage, small: bool) -> RgbImage {
+    let times = 1 + u32::from(small);
+    RgbImage::from_fn(times * picture.width(), times * picture.height(), |x, y| {
+        *picture.get_pixel(x / times, y / times)
+    })
+}
+
+/// Two pictures of one height beside each other.
+pub fn beside(left: &RgbImage, right: &RgbImage) -> RgbImage {
+    let mut canvas = Canvas::new(left.width() + JOINT + right.width(), left.height());
+    canvas.put(left, 0, 0);
+    canvas.put(right, left.width() + JOINT, 0);
+    canvas.0
+}
+
+/// A picture with a frame around a part of it.
+pub fn framed(picture: &RgbImage, [left, top, width, height]: [u32; 4]) -> RgbImage {
+    const LINE: u32 = 3;
+    let is_within = |x: u32, y: u32, line: u32| {
+        (left..left + width + 2 * line).contains(&(x + line))
+            && (top..top + height + 2 * line).contains(&(y + line))
+    };
+    RgbImage::from_fn(picture.width(), picture.height(), |x, y| {
+        let is_frame = is_within(x, y, LINE) && !is_within(x, y, 0);
+        if is_frame { Rgb(FRAME) } else { *picture.get_pixel(x, y) }
+    })
+}
+
+/// Pictures below each other.
+pub fn stacked(pictures: &[&RgbImage]) -> RgbImage {
+    let width = pictures.iter().map(|picture| picture.width()).max().unwrap_or(1);
+    let height: u32 = pictures.iter().map(|picture| picture.height() + JOINT).sum();
+    let (mut canvas, mut top) = (Canvas::new(width, height.saturating_sub(JOINT)), 0);
+    for picture in pictures {
+        canvas.put(picture, 0, top);
+        top += picture.height() + JOINT;
+    }
+    canvas.0
 }
 
 /// Encodes a picture as PNG: in grey where there is no colour.
@@ -142,8 +264,16 @@ pub fn places(cells: &[Cell], columns: u32) -> Vec<[u32; 4]> {
 /// # Errors
 /// Any error of the PNG encoder.
 pub fn png(picture: &RgbImage) -> ImageResult<Vec<u8>> {
+    // Few colours take least without a filter.
+    let [plain, adaptive] =
+        [FilterType::NoFilter, FilterType::Adaptive].map(|filter| filtered(picture, filter));
+    let (plain, adaptive) = (plain?, adaptive?);
+    Ok(if plain.len() < adaptive.len() { plain } else { adaptive })
+}
+
+fn filtered(picture: &RgbImage, filter: FilterType) -> ImageResult<Vec<u8>> {
     let mut bytes = Vec::new();
-    let encoder = PngEncoder::new_with_quality(&mut bytes, CompressionType::Default, FilterType::Adaptive);
+    let encoder = PngEncoder::new_with_quality(&mut bytes, CompressionType::Best, filter);
     let is_grey = picture.pixels().all(|pixel| pixel[0] == pixel[1] && pixel[1] == pixel[2]);
     let (width, height) = picture.dimensions();
     if is_grey {
@@ -199,10 +329,26 @@ mod tests {
         for (cut, cell) in cut(&sheet, &places(&cells, 2)).unwrap().iter().zip(&cells) {
             assert_eq!(image::load_from_memory(cut).unwrap().to_rgb8(), cell.picture);
         }
-        for place in [[40, 0, 20, 10], [0, 0, 0, 10], [u32::MAX, 0, 2, 2]] {
+        for place in [[4000, 0, 20, 10], [0, 0, 0, 10], [u32::MAX, 0, 2, 2]] {
             assert!(cut(&sheet, &[place]).unwrap_err().contains("no part"), "{place:?}");
         }
         assert!(cut(b"<svg", &[]).is_err());
+    }
+
+    /// Both weights have all letters that captions use, and a wrapped caption has all its words in lines that are no wider than
+    /// the sheet.
+    #[test]
+    fn captions_are_set() {
+        for font in INTER.iter() {
+            let font = font.as_ref().unwrap();
+            for letter in (' '..='~').chain("\u{b0}\u{d7}\u{2192}".chars()) {
+                assert_ne!(font.glyph_id(letter).0, 0, "{letter}");
+            }
+        }
+        let (letters, caption) = (Type::of_width(640), "mirror, glossy and matt surfaces ".repeat(9));
+        let lines = letters.wrapped(caption.trim(), 300);
+        assert_eq!(lines.join(" "), caption.trim());
+        assert!(lines.len() > 3 && lines.iter().all(|line| letters.width(line) <= 300), "{lines:?}");
     }
 
     /// A grey picture takes a byte a pixel, and reads back as it was.

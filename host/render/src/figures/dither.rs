@@ -1,7 +1,7 @@
 //! Dithered normals: the pictures of plain ones beside them, and a turning object.
 
 use super::camera::{Camera, shot};
-use super::canvas::{Cell, crop, sheet};
+use super::canvas::{Cell, captioned, crop, enlarged, sheet};
 use super::compare::{Difference, mean};
 use super::pictures::{MANY, take, window};
 use super::{Figure, Labelled, Number, Options, Shown, named};
@@ -64,10 +64,17 @@ pub fn dither(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
                 shared,
             ));
             differences.push(Labelled { label: label.clone(), difference });
-            cells.push(Cell { picture: part, lines: vec![label, difference.in_words()] });
+            cells.push(Cell {
+                picture: enlarged(&part, options.small),
+                lines: vec![label, difference.in_words()],
+            });
         }
+        let words = format!(
+            "A {name} with normals in 16 bits, plain and dithered by three kinds of offset: pixels of the part where \
+             oct16 differs most from floats. Numbers are of the whole picture's difference, in steps of 1/255."
+        );
         let alt = format!("The {name} with plain normals and with dithered ones");
-        let shown = Shown::picture(format!("dither_{name}.png"), &alt, sheet(&cells, 4));
+        let shown = Shown::picture(format!("dither_{name}.png"), &alt, captioned(&sheet(&cells, 4), &words));
         pictures.push(Shown { differences, ..shown });
     }
     let (strip, of_turning) = turning(camera, options)?;
@@ -94,7 +101,7 @@ const STEP: (f32, f32) = (0.2, 1280.0);
 /// The step between followed points: one of so many in the first frame.
 const EVERY: usize = 11;
 /// Frames of the strip, and of a small one.
-const STRIP: [u16; 2] = [6, 3];
+const STRIP: [u16; 2] = [6, 5];
 
 /// The mean over the points that are seen in all frames of the variance of their errors, and of the change of an error from one
 /// frame to the next.
@@ -210,7 +217,7 @@ fn turning(camera: &mut dyn Camera, options: &Options) -> Result<(Shown, Vec<Num
                 };
                 let middle = [left + width / 5, top, width * 3 / 5, height];
                 cells.push(Cell {
-                    picture: crop(&picture, middle),
+                    picture: enlarged(&crop(&picture, middle), options.small),
                     lines: vec![label.clone(), format!("frame {frame}")],
                 });
             }
@@ -225,7 +232,12 @@ fn turning(camera: &mut dyn Camera, options: &Options) -> Result<(Shown, Vec<Num
         }
     }
     let alt = "Frames of a turning mirror, with plain and with dithered normals";
-    Ok((Shown::picture("dither_turning.png", alt, sheet(&cells, u32::from(strip))), numbers))
+    let words = "A mirroring sphere that turns, about a pixel a frame: below each other, plain normals, and normals dithered by \
+                 three kinds of offset.";
+    Ok((
+        Shown::picture("dither_turning.png", alt, captioned(&sheet(&cells, u32::from(strip)), words)),
+        numbers,
+    ))
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! Error maps over the sphere.
 
-use super::canvas::{Canvas, Cell, INK, sheet};
+use super::canvas::{Canvas, Cell, GAP, INK, Type, captioned, sheet, stacked};
 use super::paint::{self, Colour, SAMPLES, from_srgb};
-use super::points::{self, in_words};
+use super::points;
 use super::{Figure, Number, Options, Shown};
 use crate::Result;
 use image::RgbImage;
@@ -12,8 +12,8 @@ use unitvec_catalogue::{AnyCodec, Domain};
 use unitvec_lab::accuracy::covering_bound_deg;
 
 /// The codecs of error maps if no others are asked for.
-const MAPPED: &str = "oct16 oct16p eaoct16p ico16 fib16 latlong16d spherical16 eqarea_ellipse16 oct24 oct24p \
-    eaoct24p ico24 latlong24d snorm8x3";
+const MAPPED: &str = "oct16 oct16p eaoct16p ico16 latlong16d spherical16 fib16 oct24 oct24p eaoct24p ico24 latlong24d \
+    spherical24 snorm8x3";
 
 /// The error that has the last colour, as a multiple of the largest that any code of as many bits must have.
 pub const LAST_COLOUR: f64 = 1.5;
@@ -31,10 +31,10 @@ pub fn scale_deg(bits: u32) -> f64 {
 fn error_map(codec: &'static AnyCodec, side: u32) -> RgbImage {
     let scale = scale_deg(codec.bits);
     let view = paint::of_domain(codec.domain);
-    paint::disc(side, SAMPLES, view, |v| {
+    paint::coarse(paint::disc(side, SAMPLES, view, |v| {
         let v = v.as_vec3().to_array();
         heat(unitvec::angle_deg(v, codec.decode_one(codec.encode_one(v))) / scale)
-    })
+    }))
 }
 
 /// Error maps of codecs over the sphere.
@@ -42,22 +42,20 @@ fn error_map(codec: &'static AnyCodec, side: u32) -> RgbImage {
 /// # Errors
 /// An unknown codec.
 pub fn errors(options: &Options) -> Result<Figure> {
-    let side = if options.small { 150 } else { 360 };
+    let side = if options.small { 165 } else { 360 };
     let (mut cells, mut scales) = (Vec::new(), BTreeMap::new());
     for codec in options.codecs_or(MAPPED)? {
-        let lines =
-            vec![format!("{}, {} bits", codec.survey_name, codec.bits), in_words(&points::errors(codec)?)];
+        let lines = points::named_lines(codec, &points::errors(codec)?);
         cells.push(Cell { picture: error_map(codec, side), lines });
         scales.insert(codec.bits, scale_deg(codec.bits));
     }
-    cells.push(Cell { picture: legend(side, &scales), lines: Vec::new() });
     let numbers = scales.iter().map(|(bits, scale)| last_colour(*bits, *scale));
     let caption = format!(
-        "The error over the sphere, by colour: dark is none, yellow is {LAST_COLOUR} times the least possible maximum at that \
+        "The error over the sphere, by colour, of codecs of 16 bits above and 24 below: dark is none, yellow is {LAST_COLOUR} times the least possible maximum at that \
          number of bits, or more. Codecs of as many bits share one scale."
     );
     let alt = "Spheres coloured by the error of a codec at each direction";
-    let pictures = vec![Shown::picture("errors.png", alt, sheet(&cells, 5))];
+    let pictures = vec![Shown::picture("errors.png", alt, explained(&sheet(&cells, 7), &scales, &caption))];
     Ok(Figure::new("errors", "Error maps", caption, pictures).with(numbers.collect()))
 }
 
@@ -66,17 +64,17 @@ pub fn last_colour(bits: u32, scale_deg: f64) -> Number {
     Number::new(format!("last colour, {bits} bits, degrees"), scale_deg)
 }
 
-/// The colours, and the errors of the last one by bits.
-pub fn legend(side: u32, scales: &BTreeMap<u32, f64>) -> RgbImage {
-    let mut canvas = Canvas::new(side, side);
-    let top = side / 4;
-    canvas.put(&paint::strip(side - 20, 24, heat), 10, top - 12);
-    let mut write =
-        |text: &str, below: u32| canvas.write(text, (10, (top + below) as i32), side < 300, false, INK);
-    write("0", 18);
-    write("yellow is", 40);
-    for (line, (bits, scale)) in (0..).zip(scales) {
-        write(&format!("{bits} bits: {scale:.3} deg"), 58 + 18 * line);
+/// A sheet of maps with their colours, the errors of the last one by bits, and a caption below it.
+pub fn explained(sheet: &RgbImage, scales: &BTreeMap<u32, f64>, caption: &str) -> RgbImage {
+    let letters = Type::of_width(sheet.width());
+    let last = scales.iter().map(|(bits, scale)| format!("{bits} bits: {scale:.3}\u{b0}"));
+    let last = last.collect::<Vec<_>>().join(", ");
+    let (height, width) = (letters.line() as u32, sheet.width() / 3);
+    let mut canvas = Canvas::new(sheet.width(), height + GAP);
+    let left = 2 * GAP + letters.width("0");
+    canvas.put(&paint::strip(width, height, heat), left, 0);
+    for (text, left) in [("0", GAP), (&last, left + width + GAP)] {
+        canvas.write(text, (left as f32, 0.0), letters, false, INK);
     }
-    canvas.0
+    captioned(&stacked(&[sheet, &canvas.0]), caption)
 }

@@ -1,6 +1,6 @@
 //! The numbering of `latlong`'s patches (figure 2).
 
-use super::canvas::{Canvas, INK};
+use super::canvas::{Canvas, Cell, INK, Type, captioned, sheet};
 use super::paint::{self, Colour, SAMPLES, from_srgb};
 use super::{Figure, Number, Options, Shown};
 use glam::DVec3;
@@ -86,7 +86,8 @@ fn polar(theta: f64, phi: f64) -> DVec3 {
 
 /// Figure 2: `latlong`'s patches and their numbers.
 pub fn numbering(options: &Options) -> Figure {
-    let side = if options.small { 420 } else { 720 };
+    let side = if options.small { 640 } else { 960 };
+    let letters = Type { size: side as f32 / 40.0, is_bold: false };
     let patches = Patches::fewest(PATCH_ERROR);
     let view = paint::from_the_side();
     let mut canvas = Canvas(paint::disc(side, SAMPLES, view, |v| patches.colour(v)));
@@ -103,7 +104,7 @@ pub fn numbering(options: &Options) -> Figure {
             if let Some(place) = paint::place(middle, view) {
                 let at = paint::pixel(place, side);
                 let number = (patches.first[ring] + patch).to_string();
-                canvas.write(&number, (at.x as i32, at.y as i32), side < 500, true, INK);
+                canvas.write(&number, (at.x as f32, at.y as f32), letters, true, INK);
             }
         }
     }
@@ -114,7 +115,11 @@ pub fn numbering(options: &Options) -> Figure {
         patches.rings()
     );
     let alt = "A sphere divided into numbered patches between circles of latitude";
-    let shown = Shown::picture("figure2.png", alt, canvas.0);
+    let shown = Shown::picture(
+        "figure2.png",
+        alt,
+        captioned(&sheet(&[Cell { picture: canvas.0, lines: Vec::new() }], 1), &caption),
+    );
     Figure::new("2", "latlong's patches", caption, vec![shown]).with(vec![
         Number::new("patches", patches.count() as f64),
         Number::new("rings", patches.rings() as f64),

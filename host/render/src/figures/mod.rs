@@ -13,6 +13,7 @@ mod latlong;
 mod paint;
 mod pictures;
 mod points;
+mod ranks;
 mod rotations;
 mod rounding;
 mod unfolding;
@@ -33,7 +34,7 @@ use unitvec_lab::isa::pareto;
 /// A figure, by the survey's number or by what it shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Part {
-    /// Mirror and glossy surfaces with oct16p, snorm8x3, oct24p and floats.
+    /// A mirror, an edge in it and a highlight with oct16p, snorm8x3, oct24p and floats.
     #[value(name = "1")]
     One,
     /// How latlong numbers its patches.

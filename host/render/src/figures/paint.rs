@@ -49,6 +49,12 @@ pub fn square(side: u32, samples: u32, colour: impl Fn(DVec2) -> Colour + Sync) 
     RgbImage::from_raw(side, side, pixels).unwrap_or_default()
 }
 
+/// A picture with every fifth step of each colour: where it is as fine as noise, nobody sees that, and its file is half as large.
+pub fn coarse(mut picture: RgbImage) -> RgbImage {
+    picture.iter_mut().for_each(|step| *step = step.saturating_add(2) / 5 * 5);
+    picture
+}
+
 /// A picture of a function of directions, over the half of the sphere that is seen; white around it.
 pub fn disc(side: u32, samples: u32, view: DMat3, colour: impl Fn(DVec3) -> Colour + Sync) -> RgbImage {
     square(side, samples, |place| seen(place, view).map_or(Colour::ONE, &colour))
@@ -104,7 +110,7 @@ impl Dots {
             let grey = (255.0 * (-ink).exp()).round() as u8;
             [grey; 3]
         });
-        RgbImage::from_raw(self.side, self.side, pixels.collect()).unwrap_or_default()
+        coarse(RgbImage::from_raw(self.side, self.side, pixels.collect()).unwrap_or_default())
     }
 }
 

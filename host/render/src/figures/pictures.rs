@@ -1,21 +1,18 @@
 //! Figures of the rendered scene: 1, 6, 7, 8 and Meyer's third.
 
-use super::camera::{Camera, shot};
-use super::canvas::{Cell, crop, places, sheet};
-use super::compare::{Difference, amplified, mean, mean_where, most_different, rank_correlation};
+use super::camera::{Camera, closer, shot, shrunk};
+use super::canvas::{
+    Canvas, Cell, GAP, INK, Type, beside, captioned, crop, framed, headed_sheet, places, sheet, stacked,
+};
+use super::compare::{Difference, amplified, most_different};
+use super::ranks::ranks;
 use super::{Figure, Labelled, Number, Options, Place, Shown, Subject};
-use crate::{Material, Normals, OBJECTS, Result, SIDES, Seen, View};
+use crate::{Material, Normals, Result, View};
 use image::RgbImage;
-use image::imageops::{FilterType, resize};
-use unitvec_catalogue::{AnyCodec, Domain, vectors};
-use unitvec_run::backend::Cpu;
-use unitvec_run::measure::measure;
+use unitvec_catalogue::AnyCodec;
 
 /// The factor of differences, as in the survey.
 pub const TIMES: u8 = 8;
-
-/// Directions that mean errors are measured over.
-const MEASURED: usize = 200_000;
 
 /// A material's name in files and captions.
 fn name(material: Material) -> &'static str {
@@ -39,11 +36,18 @@ pub struct Compared {
 
 impl Compared {
     pub fn lines(&self) -> Vec<String> {
-        vec![self.label.clone(), self.difference.map_or_else(String::new, |difference| difference.in_words())]
+        vec![
+            self.label.clone(),
+            self.difference.map_or_else(|| "96 bits".to_owned(), |difference| difference.in_words()),
+        ]
     }
 
     fn id(&self) -> &'static str {
         self.codec.map_or("float", |codec| codec.id)
+    }
+
+    fn normals(&self) -> Normals {
+        self.codec.map_or(Normals::Float, Normals::Codec)
     }
 
     fn subject(&self, material: Material) -> Subject {
@@ -93,47 +97,103 @@ fn compare(
     Ok(all)
 }
 
-/// Widths of cells in sheets of many pictures, and of few: for whole figures and for small ones.
+/// Widths of the parts of pictures that sheets show, for whole figures and for small ones.
 pub const MANY: [u32; 2] = [320, 190];
 const FEW: [u32; 2] = [480, 230];
 
-/// The part of pictures that a sheet shows, at their own size: where the first codec's differs most from that of floats.
+/// Widths of cells.
+const WIDE: [u32; 2] = [480, 320];
+const HALF: [u32; 2] = [320, 172];
+
+/// The part of pictures that a sheet shows: where the first codec's differs most from that of floats.
 pub fn window(options: &Options, widths: [u32; 2], float: &RgbImage, coded: &RgbImage) -> [u32; 4] {
     let width = widths[usize::from(options.small)];
-    most_different(float, coded, [width, width * 9 / 16])
+    most_different(float, coded, [width, width * float.height() / float.width().max(1)])
 }
 
-fn cells<'a>(pictures: impl Iterator<Item = &'a Compared>, window: [u32; 4]) -> Vec<Cell> {
-    pictures.map(|shown| Cell { picture: crop(&shown.picture, window), lines: shown.lines() }).collect()
+/// A part of a part, a third as wide and high, where pictures differ most.
+fn closest(float: &RgbImage, coded: &RgbImage, part: [u32; 4]) -> [u32; 4] {
+    let third = [part[2], part[3]].map(|side| (side / 3).max(1));
+    let [left, top, width, height] = most_different(&crop(float, part), &crop(coded, part), third);
+    [part[0] + left, part[1] + top, width, height]
 }
+
+/// The place of a part of a view in a picture of another part of it, this wide.
+fn within(part: [u32; 4], view: [u32; 4], width: u32) -> [u32; 4] {
+    let scaled = |length: u32| length * width / view[2].max(1);
+    [part[0] - view[0], part[1] - view[1], part[2], part[3]].map(scaled)
+}
+
+/// A part of each picture, rendered larger, and beside it its difference to that of floats. Floats, which have none, have the
+/// whole view there, in which the part is framed.
+fn zoomed(
+    camera: &mut dyn Camera,
+    compared: &[Compared],
+    material: Material,
+    part: [u32; 4],
+    width: u32,
+) -> Result<Vec<[RgbImage; 2]>> {
+    let float = &compared[0].picture;
+    let view = [0, 0, float.width(), float.height()];
+    let mut beside = framed(&shrunk(float, width), within(part, view, width));
+    let mut zoomed: Vec<[RgbImage; 2]> = Vec::new();
+    for shown in compared {
+        let picture = closer(camera, &shot(shown.normals(), material, View::Scene), part, width)?;
+        if let Some([float, _]) = zoomed.first() {
+            beside = amplified(float, &picture, TIMES);
+        }
+        zoomed.push([picture, beside.clone()]);
+    }
+    Ok(zoomed)
+}
+
+const HEADLINE: &str = "96 bits \u{2192} 24 bits, and reflections hardly change";
 
 /// Figure 1: mirror and glossy.
 pub fn one(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
     let codecs = options.codecs_or("oct16p snorm8x3 oct24p")?;
-    let (mut all, mut off, mut pictures) = (Vec::new(), Vec::new(), Vec::new());
-    for material in [Material::Mirror, Material::Glossy] {
-        let mut compared = compare(camera, &codecs, material, View::Scene)?;
-        let window = window(options, FEW, &compared[0].picture, &compared[1].picture);
-        // Floats come last, as in the survey.
-        compared.rotate_left(1);
-        all.extend(cells(compared.iter(), window));
-        let named = |one: Labelled| Labelled { label: format!("{}, {}", name(material), one.label), ..one };
-        off.extend(differences(&compared).into_iter().map(named));
-        pictures.extend(singles(options, &compared, "figure1", material));
+    let width = WIDE[usize::from(options.small)];
+    let mirror = compare(camera, &codecs, Material::Mirror, View::Scene)?;
+    let glossy = compare(camera, &codecs, Material::Glossy, View::Scene)?;
+    let part = |of: &[Compared]| window(options, FEW, &of[0].picture, &of[1].picture);
+    let (wide, shine) = (part(&mirror), part(&glossy));
+    let near = closest(&mirror[0].picture, &mirror[1].picture, wide);
+    let highlights = zoomed(camera, &glossy, Material::Glossy, shine, width)?;
+    let edges = zoomed(camera, &mirror, Material::Mirror, near, width)?;
+    let reflections = zoomed(camera, &mirror, Material::Mirror, wide, width)?;
+    let cells = reflections.iter().zip(&edges).zip(&highlights).zip(&mirror);
+    let cells = cells.map(|((([reflection, beside], [edge, _]), [highlight, _]), shown)| Cell {
+        picture: stacked(&[&framed(reflection, within(near, wide, width)), edge, beside, highlight]),
+        lines: vec![format!("{} bits", shown.codec.map_or(96, |codec| codec.bits)), shown.label.clone()],
+    });
+    let mut cells: Vec<Cell> = cells.collect();
+    // Floats come last, as in the survey.
+    cells.rotate_left(1);
+    let columns = headed_sheet(&cells, cells.len() as u32, 1.6);
+    let words = format!(
+        "From above: a panel that mirrors lamps; the framed edge, three times larger; the mirror's difference to floats \u{d7} \
+         {TIMES}, and for floats the whole view; a highlight. snorm8x3 has a byte for each component."
+    );
+    let alt = "Normals as oct16P, snorm8x3, oct24P and floats: the mirrored lamps of a panel, an edge of one, the difference to \
+               floats, and a highlight";
+    let letters = Type { size: columns.width() as f32 / 38.0, is_bold: true };
+    let mut head = Canvas::new(columns.width(), GAP + letters.line() as u32);
+    if options.codecs.is_empty() {
+        head.write(HEADLINE, (GAP as f32, GAP as f32), letters, false, INK);
     }
-    let alt = "Mirroring and glossy surfaces, with normals of several codecs";
-    let all = Shown::picture("figure1.png", alt, sheet(&all, codecs.len() as u32 + 1));
-    pictures.insert(0, Shown { differences: off, ..all });
-    let caption = "Mirror (above) and glossy reflections (below) with normals of a G-buffer in 16 bits, in 24 bits of \
-                   snorm8x3, in 24 bits of oct24P, and as floats. The part where the first differs most. Differences to \
-                   floats are of the whole picture, in steps of 1/255.";
+    let all = captioned(&stacked(&[&head.0, &columns]), &words);
+    let shown = Shown::picture("figure1.png", alt, all);
+    let (mut off, mut pictures) = (Vec::new(), Vec::new());
+    for (compared, material) in [(&mirror, Material::Mirror), (&glossy, Material::Glossy)] {
+        let named = |one: Labelled| Labelled { label: format!("{}, {}", name(material), one.label), ..one };
+        off.extend(differences(compared).into_iter().map(named));
+        pictures.extend(singles(options, compared, "figure1", material));
+    }
+    pictures.insert(0, Shown { differences: off, ..shown });
+    let caption = "Mirror and glossy reflections with normals of a G-buffer in 16 bits, in 24 bits of snorm8x3, in 24 bits of \
+                   oct24P, and as floats. The parts where the first differs most. Differences to floats are of the whole picture, \
+                   in steps of 1/255.";
     Ok(Figure::new("1", "Mirror and glossy reflections", caption, pictures))
-}
-
-/// A whole picture, this wide.
-fn shrunk(picture: &RgbImage, width: u32) -> RgbImage {
-    let height = (picture.height() * width).div_ceil(picture.width());
-    resize(picture, width, height, FilterType::Triangle)
 }
 
 const FIGURE_7: &str = "The survey says that differences are far more apparent than on Lambertian surfaces, and that steps \
@@ -144,7 +204,7 @@ pub fn difference(camera: &mut dyn Camera, options: &Options, material: Material
     let codecs = options.codecs_or("eqarea_ellipse16")?;
     let compared = compare(camera, &codecs, material, View::Scene)?;
     let (float, mut cells, mut numbers) = (&compared[0].picture, Vec::new(), Vec::new());
-    let width = if options.small { 320 } else { 640 };
+    let width = if options.small { 360 } else { 640 };
     for shown in &compared {
         cells.push(Cell { picture: shrunk(&shown.picture, width), lines: shown.lines() });
         let Some(difference) = shown.difference else { continue };
@@ -154,7 +214,7 @@ pub fn difference(camera: &mut dyn Camera, options: &Options, material: Material
         let words = format!("at most one step: {:.1} % of pixels", 100.0 * black);
         cells.push(Cell {
             picture: shrunk(&amplified, width),
-            lines: vec![format!("difference x {TIMES}"), words],
+            lines: vec![format!("difference \u{d7} {TIMES}"), words],
         });
         let brightness = f64::from(TIMES) * difference.mean / 255.0;
         numbers.push(Number::new(
@@ -176,7 +236,7 @@ pub fn difference(camera: &mut dyn Camera, options: &Options, material: Material
         capital(name(material))
     );
     let alt = format!("{} surfaces with floats, with a 16-bit codec, and the difference", name(material));
-    let shown = Shown::picture(format!("figure{id}.png"), alt, sheet(&cells, 3));
+    let shown = Shown::picture(format!("figure{id}.png"), alt, captioned(&sheet(&cells, 3), &caption));
     let mut pictures = vec![Shown { differences: differences(&compared), ..shown }];
     pictures.extend(singles(options, &compared, &format!("figure{id}"), material));
     Ok(Figure::new(id, format!("{} surfaces", capital(name(material))), caption, pictures).with(numbers))
@@ -187,35 +247,42 @@ fn capital(word: &str) -> String {
     first.to_uppercase() + rest
 }
 
-/// The codecs of figure 8, in its order, which begins with floats.
-const EIGHT: &str = "oct16 eqarea_ellipse16 spherical16 oct16p latlong16 snorm8x3 eqarea_ellipse24 oct24 \
-    spherical24 oct24p latlong24 eqarea_ellipse32 spherical32 oct32 latlong32 oct32p";
+/// The codecs of figure 8 in columns by their bits, after floats, and the 32 bits that hold three components.
+const EIGHT: &str = "snorm8x3 snorm10x3 oct16 oct24 oct32 oct16p oct24p oct32p eqarea_ellipse16 eqarea_ellipse24 \
+    eqarea_ellipse32 spherical16 spherical24 spherical32 latlong16 latlong24 latlong32";
+
+/// Columns of figure 8: 16, 24 and 32 bits.
+const COLUMNS: u32 = 3;
 
 /// Figure 8: its codecs with all materials.
 pub fn eight(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
     let codecs = options.codecs_or(EIGHT)?;
-    let columns = if options.small { 4 } else { 5 };
+    let width = HALF[usize::from(options.small)];
     let (mut sheets, mut pictures, mut numbers) = (Vec::new(), Vec::new(), Vec::new());
     for material in &options.materials {
         let compared = compare(camera, &codecs, *material, View::Scene)?;
         let float = &compared[0].picture;
-        let window = window(options, MANY, float, &compared[1].picture);
+        let coarsest = compared[1..].iter().min_by_key(|shown| shown.codec.map(|codec| codec.bits));
+        let part = coarsest.map_or([0; 4], |shown| window(options, MANY, float, &shown.picture));
         let name = name(*material);
-        let alt = format!("{name} surfaces with the normals of all codecs of the figure");
-        let cells = cells(compared.iter(), window);
-        let all = Shown::picture(format!("figure8_{name}.png"), alt, sheet(&cells, columns));
-        let of = compared.iter().map(|shown| shown.subject(*material));
-        let places = of.zip(places(&cells, columns)).map(|(of, place)| Place { of, place });
+        let alt =
+            format!("{name} surfaces with the normals of all codecs of the figure, and their differences");
+        let zooms = zoomed(camera, &compared, *material, part, width)?;
+        let cells = zooms.iter().zip(&compared);
+        let cells =
+            cells.map(|([zoom, other], shown)| Cell { picture: beside(zoom, other), lines: shown.lines() });
+        let cells: Vec<Cell> = cells.collect();
+        let words = format!(
+            "Normals in 16, 24 and 32 bits, by columns; in the first row floats, and components of 8 and of 10 bits. Left a part of \
+             the {name} surfaces, right its difference to floats \u{d7} {TIMES}, or of floats the whole view. Numbers are of whole \
+             views: the difference in steps of 1/255, and the structural similarity."
+        );
+        let all = captioned(&sheet(&cells, COLUMNS), &words);
+        let all = Shown::picture(format!("figure8_{name}.png"), alt, all);
+        let places = compared.iter().map(|shown| shown.subject(*material)).zip(places(&cells, COLUMNS));
+        let places =
+            places.map(|(of, [left, top, _, height])| Place { of, place: [left, top, width, height] });
         sheets.push(Shown { differences: differences(&compared), cells: places.collect(), ..all });
-        if !options.small {
-            let amplified = compared[1..].iter().map(|shown| Cell {
-                picture: amplified(&crop(float, window), &crop(&shown.picture, window), TIMES),
-                lines: vec![format!("{} x {TIMES}", shown.label)],
-            });
-            let alt = format!("differences to floats, {TIMES} times over, on {name} surfaces");
-            let amplified = sheet(&amplified.collect::<Vec<_>>(), columns);
-            sheets.push(Shown::picture(format!("figure8_{name}_difference.png"), alt, amplified));
-        }
         if options.whole {
             pictures.extend(compared.iter().map(|shown| shown.shown("figure8", *material)));
         }
@@ -224,81 +291,15 @@ pub fn eight(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
         }
     }
     sheets.extend(pictures);
-    let mut caption = "The codecs of the survey's figure 8, in its order: the part where the first differs most. The numbers are of \
-                       whole pictures: the mean and the largest difference to floats, in steps of 1/255, and the structural \
-                       similarity."
+    let mut caption = "The codecs of the survey's figure 8 and snorm10x3, by family and bits: the part where the first of the fewest \
+                       bits differs most. The numbers are of whole pictures: the mean and the largest difference to floats, in \
+                       steps of 1/255, and the structural similarity."
         .to_owned();
-    if !options.small {
-        caption += &format!(" Differences are shown {TIMES} times over.");
-    }
     if !numbers.is_empty() {
         caption += " The panel shows only a few cells of a 16-bit code, so chance decides which of these codecs looks worst on it. \
                     The numbers below therefore rank all 16-bit codecs on a bumpy mirror sphere, seen from all sides.";
     }
     Ok(Figure::new("8", "Codecs and materials", caption, sheets).with(numbers))
-}
-
-/// The objects that turn in all directions: each shows so many normals that chance evens out. The panel and the faceted body
-/// show a few cells of a code each.
-const CURVED: [&str; 3] = ["bunny", "teapot", "bumpy sphere"];
-
-fn is_curved(seen: &Option<Seen>) -> bool {
-    let name = seen.and_then(|seen| OBJECTS.get(seen.object as usize - 1));
-    name.is_some_and(|name| CURVED.contains(name))
-}
-
-/// The mean error of the normals of some pixels, degrees.
-fn error_shown<'a>(seen: impl Iterator<Item = &'a Option<Seen>>) -> f64 {
-    let seen = seen.flatten();
-    mean(seen.map(|seen| unitvec::angle_deg(seen.normal.to_array(), seen.decoded.to_array())))
-}
-
-/// The bumpy sphere as a mirror, from all sides.
-fn sides(camera: &mut dyn Camera, normals: Normals) -> Result<Vec<RgbImage>> {
-    (0..SIDES).map(|side| camera.picture(&shot(normals, Material::Mirror, View::Side(side)))).collect()
-}
-
-/// The rank correlation of the mirror's differences with the errors, for all codecs of 16 bits: on a sphere that is
-/// seen from all sides, and in the scene, whose normals are spread otherwise than the sphere's.
-fn ranks(camera: &mut dyn Camera, float: &RgbImage) -> Result<Vec<Number>> {
-    const BITS: u32 = 16;
-    let taken = |normals| shot(normals, Material::Mirror, View::Scene);
-    let curved: Vec<bool> = camera.surface(&taken(Normals::Float))?.iter().map(is_curved).collect();
-    let all = vec![true; curved.len()];
-    let float_sides = sides(camera, Normals::Float)?;
-    let is_asked = |codec: &&AnyCodec| codec.bits == BITS && codec.domain == Domain::Sphere && codec.is_unit;
-    let (mut numbers, mut pairs) = (Vec::new(), [const { Vec::new() }; 4]);
-    for codec in vectors().iter().filter(is_asked) {
-        let error = measure(&mut Cpu, codec, Domain::Sphere, MEASURED, 1)?.normal.mean_deg();
-        let coded_sides = sides(camera, Normals::Codec(codec))?;
-        // The sky around the sphere does not differ.
-        let around =
-            mean(float_sides.iter().zip(&coded_sides).map(|(float, coded)| mean_where(&all, float, coded)));
-        let picture = camera.picture(&taken(Normals::Codec(codec)))?;
-        let (whole, on_curved) = (mean_where(&all, float, &picture), mean_where(&curved, float, &picture));
-        let seen = camera.surface(&taken(Normals::Codec(codec)))?;
-        let error_seen = error_shown(seen.iter().filter(|seen| is_curved(seen)));
-        let found = [(error, around), (error_seen, on_curved), (error, on_curved), (error, whole)];
-        pairs.iter_mut().zip(found).for_each(|(pairs, pair)| pairs.push(pair));
-        for (what, value) in [("of a sphere", around), ("on the scene's curved bodies", on_curved)] {
-            numbers.push(Number::new(format!("{}, mirror, mean difference {what}", codec.id), value));
-        }
-    }
-    let names = [
-        "of a sphere from all sides with the mean error over the sphere",
-        "on the scene's curved bodies with the mean error of their normals",
-        "on the scene's curved bodies with the mean error over the sphere",
-        "of the whole scene with the mean error over the sphere",
-    ];
-    let correlation = |(name, pairs): (&str, &Vec<(f64, f64)>)| {
-        let name = format!(
-            "rank correlation of the mirror's mean difference {name}, {} codecs of {BITS} bits",
-            pairs.len()
-        );
-        Number::new(name, rank_correlation(pairs))
-    };
-    numbers.extend(names.into_iter().zip(&pairs).map(correlation));
-    Ok(numbers)
 }
 
 /// The parameterizations of Meyer's figure 3, by the names that it has for them.
@@ -322,13 +323,13 @@ pub fn meyer(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
     }
     compared[0].label = "FPNV (float32x3)".to_owned();
     let alt = "A highlight on a nearly flat panel, with normals in 16 bits by several codecs";
-    let width = FEW[usize::from(options.small)];
+    let width = if options.small { 280 } else { 480 };
     let whole = |shown: &Compared| Cell { picture: shrunk(&shown.picture, width), lines: shown.lines() };
     let cells: Vec<Cell> = compared.iter().map(whole).collect();
-    let all = Shown::picture("meyer3.png", alt, sheet(&cells, 4));
-    let mut pictures = vec![Shown { differences: differences(&compared), ..all }];
-    pictures.extend(singles(options, &compared, "meyer3", Material::Glossy));
     let caption = "Figure 3 of Meyer et al.: the Blinn-Phong highlight of a nearly flat panel, with normals in 16 bits. The \
                    points of fib16, on a spherical Fibonacci lattice, stand for their table.";
+    let all = Shown::picture("meyer3.png", alt, captioned(&sheet(&cells, 4), caption));
+    let mut pictures = vec![Shown { differences: differences(&compared), ..all }];
+    pictures.extend(singles(options, &compared, "meyer3", Material::Glossy));
     Ok(Figure::new("meyer", "Meyer's figure 3: a highlight", caption, pictures))
 }

@@ -1,6 +1,6 @@
 //! The places of the representable unit vectors (figure 5).
 
-use super::canvas::{Cell, sheet};
+use super::canvas::{Cell, captioned, sheet};
 use super::paint::{self, Dots};
 use super::{Figure, Number, Options, Shown};
 use crate::Result;
@@ -27,7 +27,14 @@ pub fn errors(codec: &AnyCodec) -> Result<ErrorStats> {
 
 /// Errors in a line.
 pub fn in_words(errors: &ErrorStats) -> String {
-    format!("mean {:.3} max {:.3} deg", errors.mean_deg(), errors.max_deg())
+    format!("mean {:.3}\u{b0}, max {:.3}\u{b0}", errors.mean_deg(), errors.max_deg())
+}
+
+/// A codec's name, and its errors below it.
+pub fn named_lines(codec: &AnyCodec, errors: &ErrorStats) -> Vec<String> {
+    let [mean, max] = [("mean", errors.mean_deg()), ("max", errors.max_deg())]
+        .map(|(what, value)| format!("{what} {value:.3}\u{b0}"));
+    vec![codec.survey_name.to_owned(), mean, max]
 }
 
 /// Mean and maximum as numbers of a figure.
@@ -59,7 +66,7 @@ fn representable(codec: &AnyCodec) -> Result<Vec<DVec3>> {
 /// # Errors
 /// The errors of [`measure`], which would be a fault of this crate.
 pub fn points(options: &Options) -> Result<Figure> {
-    let side = if options.small { 150 } else { 360 };
+    let side = if options.small { 160 } else { 360 };
     let (mut cells, mut numbers) = (Vec::new(), Vec::new());
     for codec in options.codecs_or(DISTRIBUTIONS)? {
         let directions = representable(codec)?;
@@ -69,7 +76,7 @@ pub fn points(options: &Options) -> Result<Figure> {
         let share = (f64::from(1u32 << ALL_CODES_UP_TO) / directions.len() as f64).min(1.0);
         let ink = share * 2.2 * (f64::from(side) / 360.0).powf(1.5);
         directions.iter().filter_map(|v| paint::place(*v, view)).for_each(|place| dots.add(place, ink));
-        let lines = vec![codec.survey_name.to_owned(), in_words(&errors(codec)?)];
+        let lines = named_lines(codec, &errors(codec)?);
         cells.push(Cell { picture: dots.picture(), lines });
         numbers.push(Number::new(format!("{}, points", codec.id), directions.len() as f64));
     }
@@ -77,7 +84,7 @@ pub fn points(options: &Options) -> Result<Figure> {
                    the picture dark, errors are small at the cost of others. All codes have 16 bits but those of snorm8x3, \
                    whose dots are fainter: together they have the ink of 2^16. ico16, fib16 and eaoct16 are not in the survey.";
     let alt = "Spheres covered with dots, one for each codec";
-    let shown = Shown::picture("figure5.png", alt, sheet(&cells, 6));
+    let shown = Shown::picture("figure5.png", alt, captioned(&sheet(&cells, 6), caption));
     Ok(Figure::new("5", "Representable unit vectors", caption, vec![shown]).with(numbers))
 }
 

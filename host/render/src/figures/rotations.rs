@@ -1,7 +1,7 @@
 //! Rotations in 32 bits: the way of a pointer that turns slowly, and the error over rotations.
 
-use super::canvas::{Canvas, Cell, sheet};
-use super::errors::{LAST_COLOUR, heat, last_colour, legend};
+use super::canvas::{Cell, sheet};
+use super::errors::{LAST_COLOUR, explained, heat, last_colour};
 use super::paint::{self, Colour, Dots, MARGIN, SAMPLES};
 use super::points::{errors, in_words, numbers};
 use super::{Figure, Number, Options, Shown};
@@ -81,9 +81,9 @@ fn way(side: u32, seen: impl Fn(DQuat) -> DQuat) -> RgbImage {
 
 fn map(codec: &AnyCodec, side: u32, rotation: impl Fn(DVec2) -> Option<DQuat> + Sync) -> RgbImage {
     let scale = scale_deg();
-    paint::square(side, SAMPLES, |place| {
+    paint::coarse(paint::square(side, SAMPLES, |place| {
         rotation(place).map_or(Colour::ONE, |q| heat(error_deg(codec, q) / scale))
-    })
+    }))
 }
 
 /// The error of the last colour, degrees.
@@ -115,21 +115,18 @@ impl Measured {
 /// # Errors
 /// An error of measuring, which would be a fault of this crate.
 pub fn rotations(options: &Options) -> Result<Figure> {
-    let side = if options.small { 220 } else { 360 };
+    let side = if options.small { 260 } else { 360 };
     let all = CODECS.into_iter().map(Measured::new).collect::<Result<Vec<_>>>()?;
     let cell = |picture, lines: [&str; 2]| Cell { picture, lines: lines.map(str::to_owned).to_vec() };
-    let scale = legend(side, &[(BITS, scale_deg())].into());
-    let mut cells = vec![cell(way(side, |q| q), ["floats: the tip of a pointer", "goes around"])];
-    cells.extend(
-        all.iter().map(|Measured(codec, name, ..)| cell(way(side, |q| decoded(codec, q)), [name, ""])),
-    );
-    cells.push(cell(scale, ["right: turns about axes", "in a plane, 0 to 180 deg"]));
+    let pointers = all.iter().map(|Measured(codec, name, ..)| {
+        cell(way(side, |q| decoded(codec, q)), [name, "a pointer goes around"])
+    });
+    let mut cells: Vec<Cell> = pointers.collect();
     cells.extend(all.iter().map(|Measured(codec, _, everywhere, _)| {
-        cell(map(codec, side, turn), ["of all rotations:", &in_words(everywhere)])
+        cell(map(codec, side, turn), ["all rotations", &in_words(everywhere)])
     }));
-    cells.push(cell(Canvas::new(side, side).0, ["right: the part of the first row,", "1 deg wide"]));
     cells.extend(all.iter().map(|Measured(codec, _, _, part)| {
-        cell(map(codec, side, |place| Some(tipped(place))), ["of this part:", &in_words(part)])
+        cell(map(codec, side, |place| Some(tipped(place))), ["the first row's part", &in_words(part)])
     }));
     let numbers =
         std::iter::once(last_colour(BITS, scale_deg())).chain(all.iter().flat_map(Measured::numbers));
@@ -144,7 +141,11 @@ pub fn rotations(options: &Options) -> Result<Figure> {
         SAMPLES * SAMPLES
     );
     let alt = "The way of a pointer, and maps of the error over rotations, by two encoders of the smallest three and by quat32";
-    let pictures = vec![Shown::picture("rotations.png", alt, sheet(&cells, 4))];
+    let pictures = vec![Shown::picture(
+        "rotations.png",
+        alt,
+        explained(&sheet(&cells, 3), &[(BITS, scale_deg())].into(), &caption),
+    )];
     Ok(Figure::new("rotations", "Rotations", caption, pictures).with(numbers.collect()))
 }
 

@@ -1,6 +1,6 @@
 //! The directions of the precise encoder's rounding in oct (figure 4).
 
-use super::canvas::{Cell, sheet};
+use super::canvas::{Cell, captioned, sheet};
 use super::paint::{self, Colour};
 use super::{Figure, Number, Options, Shown};
 use crate::Result;
@@ -45,7 +45,7 @@ fn moved(precise: &AnyCodec, fast: &AnyCodec) -> f64 {
 /// [`UnknownCodec`](unitvec_catalogue::UnknownCodec), which would be a fault of this crate.
 pub fn rounding(options: &Options) -> Result<Figure> {
     // Sides that cells almost divide show the structure by moire; with 1024 pixels it would be that of two bits.
-    let (side, small_side) = if options.small { (500, 170) } else { (1000, 360) };
+    let (side, small_side) = if options.small { (500, 340) } else { (1000, 360) };
     let (mut cells, mut numbers) = (Vec::new(), Vec::new());
     for id in OTHERS {
         let (codec, fast) = (find(id)?, find(&id.replace('p', ""))?);
@@ -57,10 +57,16 @@ pub fn rounding(options: &Options) -> Result<Figure> {
         cells.push(Cell { picture: map(codec, small_side), lines });
         numbers.push(Number::new(format!("{id}, share of codes that are not the nearest point's"), moved));
     }
+    let words = "Where the precise encoder of oct rounds y, over the square: black is down, white is up.";
+    let moved = "Moved are vectors that get another code than that of the nearest point on the square.";
+    let bits = captioned(&sheet(&cells, 4), &format!("{words} {moved}"));
+    let main = find(MAIN)?;
+    let lines = vec![format!("{}: {} bits each", main.survey_name, main.bits / 2)];
+    let main = sheet(&[Cell { picture: map(main, side), lines }], 1);
     let alt = "Black and white moire pattern of rounding directions over a square";
     let pictures = vec![
-        Shown::picture("figure4.png", alt, map(find(MAIN)?, side)),
-        Shown::picture("figure4_bits.png", "The same pattern for several numbers of bits", sheet(&cells, 4)),
+        Shown::picture("figure4.png", alt, captioned(&main, words)),
+        Shown::picture("figure4_bits.png", "The same pattern for several numbers of bits", bits),
     ];
     let caption = "Where the precise encoder of oct rounds y: black is down, white is up, over the square, sampled at the \
                    middle of each pixel; first at 12 bits each for x and y, then at other widths. Moved are the vectors that \

@@ -1,6 +1,6 @@
 //! The unfolding of a sphere's octants into a square (figure 3).
 
-use super::canvas::{Cell, sheet};
+use super::canvas::{Cell, captioned, sheet};
 use super::paint::{self, Colour, SAMPLES, from_srgb};
 use super::{Figure, Options, Shown};
 use glam::{DMat3, DVec2, DVec3};
@@ -37,7 +37,7 @@ fn on_octahedron(place: DVec2, view: DMat3) -> Option<(DVec3, DVec3)> {
 
 /// Figure 3: how the octants of a sphere become a square.
 pub fn unfolding(options: &Options) -> Figure {
-    let side = if options.small { 220 } else { 480 };
+    let side = if options.small { 360 } else { 480 };
     let view = paint::from_the_side();
     let sphere = paint::disc(side, SAMPLES, view, |v| unfolded_colour(v) * (0.55 + 0.45 * (view * v).z));
     let octahedron = paint::square(side, SAMPLES, |place| {
@@ -53,7 +53,7 @@ pub fn unfolding(options: &Options) -> Figure {
     let caption = "How oct maps the octants of the sphere to the faces of an octahedron, projects these to the plane, and \
                    unfolds the lower four outwards, which fills the square. The lines are those of a grid on the square.";
     let alt = "The same eight coloured octants on a sphere, on an octahedron and on a square";
-    let pictures = vec![Shown::picture("figure3.png", alt, sheet(&cells, 3))];
+    let pictures = vec![Shown::picture("figure3.png", alt, captioned(&sheet(&cells, 3), caption))];
     Figure::new("3", "oct unfolds the sphere", caption, pictures)
 }
 
