@@ -1,7 +1,7 @@
 //! Error maps of caps.
 
 use super::canvas::{Cell, sheet};
-use super::errors::{LAST_COLOUR, explained, heat, last_colour, scale_deg};
+use super::errors::{LAST_COLOUR, ends, explained, heat, last_colour, scale_deg};
 use super::paint::{self, Colour, SAMPLES};
 use super::points::{in_words, numbers};
 use super::{Figure, Number, Options, Shown};
@@ -84,8 +84,11 @@ pub fn caps(options: &Options) -> Figure {
     );
     let alt = "Discs coloured by the error of a codec at each direction, darker the smaller the cap";
     let sheet = sheet(&cells, ANGLES.len() as u32);
-    let pictures =
-        vec![Shown::picture("caps.png", alt, explained(&sheet, &[(BITS, scale_deg(BITS))].into(), &caption))];
+    let pictures = vec![Shown::picture(
+        "caps.png",
+        alt,
+        explained(&sheet, ends(&[(BITS, scale_deg(BITS))].into()), &caption),
+    )];
     Figure::new("caps", "Caps", caption, pictures).with(numbers.collect())
 }
 

@@ -55,7 +55,8 @@ pub fn errors(options: &Options) -> Result<Figure> {
          number of bits, or more. Codecs of as many bits share one scale."
     );
     let alt = "Spheres coloured by the error of a codec at each direction";
-    let pictures = vec![Shown::picture("errors.png", alt, explained(&sheet(&cells, 7), &scales, &caption))];
+    let pictures =
+        vec![Shown::picture("errors.png", alt, explained(&sheet(&cells, 7), ends(&scales), &caption))];
     Ok(Figure::new("errors", "Error maps", caption, pictures).with(numbers.collect()))
 }
 
@@ -64,17 +65,21 @@ pub fn last_colour(bits: u32, scale_deg: f64) -> Number {
     Number::new(format!("last colour, {bits} bits, degrees"), scale_deg)
 }
 
-/// A sheet of maps with their colours, the errors of the last one by bits, and a caption below it.
-pub fn explained(sheet: &RgbImage, scales: &BTreeMap<u32, f64>, caption: &str) -> RgbImage {
-    let letters = Type::of_width(sheet.width());
+/// The errors of the first colour and, by bits, of the last one, as [`explained`] takes them.
+pub fn ends(scales: &BTreeMap<u32, f64>) -> [String; 2] {
     let last = scales.iter().map(|(bits, scale)| format!("{bits} bits: {scale:.3}\u{b0}"));
-    let last = last.collect::<Vec<_>>().join(", ");
+    ["0".to_owned(), last.collect::<Vec<_>>().join(", ")]
+}
+
+/// A sheet of maps with their colours between the errors of the first and the last one, and a caption below it.
+pub fn explained(sheet: &RgbImage, [first, last]: [String; 2], caption: &str) -> RgbImage {
+    let letters = Type::of_width(sheet.width());
     let (height, width) = (letters.line() as u32, sheet.width() / 3);
     let mut canvas = Canvas::new(sheet.width(), height + GAP);
-    let left = 2 * GAP + letters.width("0");
+    let left = 2 * GAP + letters.width(&first);
     canvas.put(&paint::strip(width, height, heat), left, 0);
-    for (text, left) in [("0", GAP), (&last, left + width + GAP)] {
-        canvas.write(text, (left as f32, 0.0), letters, false, INK);
+    for (text, left) in [(first, GAP), (last, left + width + GAP)] {
+        canvas.write(&text, (left as f32, 0.0), letters, false, INK);
     }
     captioned(&stacked(&[sheet, &canvas.0]), caption)
 }

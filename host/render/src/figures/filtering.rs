@@ -1,7 +1,7 @@
 //! Maps of what blending components does, over the sphere.
 
-use super::canvas::{Canvas, Cell, INK, sheet};
-use super::errors::heat;
+use super::canvas::{Cell, sheet};
+use super::errors::{explained, heat};
 use super::{Figure, Options, Shown, paint};
 use glam::DVec3;
 use unitvec_lab::accuracy::filtering::{MAPS, Map};
@@ -25,20 +25,11 @@ fn cell(map: &Map, side: u32) -> Cell {
     Cell { picture, lines: vec![map.name.to_owned()] }
 }
 
-fn legend(side: u32) -> Cell {
-    let mut canvas = Canvas::new(side, side);
-    canvas.put(&paint::strip(side - 20, 24, heat), 10, side / 4);
-    for (line, error) in (1..).zip(SCALE) {
-        canvas.write(&format!("{error} deg"), (10, (side / 4 + 16 + 16 * line) as i32), true, false, INK);
-    }
-    Cell { picture: canvas.0, lines: Vec::new() }
-}
-
 /// Maps of the error of the midpoint of two neighbours, for each map of directions.
 pub fn filtering(options: &Options) -> Figure {
     let side = if options.small { 130 } else { 360 };
     let blended = MAPS.iter().filter(|map| map.name != "xyz").map(|map| cell(map, side));
-    let cells: Vec<Cell> = blended.chain([legend(side)]).collect();
+    let cells: Vec<Cell> = blended.collect();
     let caption = format!(
         "The error of the midpoint of two directions {APART} degree apart whose components are blended and then decoded, to that of \
          the vectors: by the place of the midpoint, the mean over {LINES} lines through it, with components of unbounded precision. \
@@ -47,6 +38,7 @@ pub fn filtering(options: &Options) -> Figure {
         SCALE[0], SCALE[1]
     );
     let alt = "Spheres coloured by the error of blended components at each direction";
-    let pictures = vec![Shown::picture("filtering.png", alt, sheet(&cells, 7))];
+    let picture = explained(&sheet(&cells, 6), SCALE.map(|error| format!("{error}\u{b0}")), &caption);
+    let pictures = vec![Shown::picture("filtering.png", alt, picture)];
     Figure::new("filtering", "What filtering does to components", caption, pictures)
 }

@@ -1,7 +1,7 @@
 //! Rotations in 32 bits: the way of a pointer that turns slowly, and the error over rotations.
 
 use super::canvas::{Cell, sheet};
-use super::errors::{LAST_COLOUR, explained, heat, last_colour};
+use super::errors::{LAST_COLOUR, ends, explained, heat, last_colour};
 use super::paint::{self, Colour, Dots, MARGIN, SAMPLES};
 use super::points::{errors, in_words, numbers};
 use super::{Figure, Number, Options, Shown};
@@ -144,7 +144,7 @@ pub fn rotations(options: &Options) -> Result<Figure> {
     let pictures = vec![Shown::picture(
         "rotations.png",
         alt,
-        explained(&sheet(&cells, 3), &[(BITS, scale_deg())].into(), &caption),
+        explained(&sheet(&cells, 3), ends(&[(BITS, scale_deg())].into()), &caption),
     )];
     Ok(Figure::new("rotations", "Rotations", caption, pictures).with(numbers.collect()))
 }
