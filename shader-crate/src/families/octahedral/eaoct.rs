@@ -43,9 +43,8 @@
 //!   along that edge. The four corners are all -Z. A direction mirrored at a coordinate plane decodes to the mirrored
 //!   vector, exactly; so does one with x and y swapped, where they differ.
 //! * Good for: less error than [`oct`](crate::oct) in the same format of two snorms, and directions that are averaged,
-//!   sampled or counted, since all cells have the same area. Weaknesses: filtered or interpolated codes bend where u or
-//!   v changes sign and at `z = 0`, as with [`oct`](crate::oct). Encoding takes an arc tangent, decoding a sine and a
-//!   cosine.
+//!   sampled or counted, since all cells have the same area. Weaknesses: codes jump and bend where those of
+//!   [`oct`](crate::oct) do. Encoding takes an arc tangent, decoding a sine and a cosine.
 //!
 //! No two-float arithmetic is needed: r has an error of at most `8 2^-24`, phi of `4 2^-24`. At 32 bits the position is
 //! good to 2^-6 of a step, and mostly to 2^-9.

@@ -36,7 +36,8 @@
 //!   Both are greatest in the middle of the octants.
 //! * The six axes round-trip exactly. Points of the square's border stand for the same direction as their mirror image
 //!   along that edge. The four corners are all -Z.
-//! * Good for: almost anything. Weakness: codes jump at the folds, so that they cannot be filtered across `z = 0`.
+//! * Good for: almost anything. Weakness: codes jump where x or y is 0 and z < 0, so that components cannot be
+//!   filtered there, and bend at `z = 0`.
 
 use super::nearest::Corner;
 use super::{fold, unpack, usable_code};
