@@ -1,9 +1,20 @@
 //! Codes in texels.
 
+use crate::block::{Compression, compress, decompress};
 use crate::format::{Format, field, named};
-use crate::{Error, NormalMap, Result};
+use crate::{Error, NormalMap, Pair, Result};
 use rayon::prelude::*;
 use unitvec_catalogue::AnyCodec;
+
+const COMPRESSIONS: [Compression; 3] = [Compression::Bc5Unorm, Compression::Bc5Snorm, Compression::Bc7];
+
+fn name_of(compression: Compression) -> &'static str {
+    match compression {
+        Compression::Bc5Unorm => "BC5_UNORM_BLOCK",
+        Compression::Bc5Snorm => "BC5_SNORM_BLOCK",
+        Compression::Bc7 => "BC7_UNORM_BLOCK",
+    }
+}
 
 /// The codes of a codec of vectors, in the texels of a format.
 #[derive(Clone, Copy, Debug)]
@@ -16,6 +27,8 @@ pub struct Coding {
     bias: u32,
     /// The first bit, and the number of the bits, that hold alpha.
     spare: Option<(u32, u32)>,
+    /// What compressed blocks hold.
+    blocks: Option<(Pair, Compression)>,
 }
 
 impl Coding {
@@ -51,13 +64,32 @@ impl Coding {
         };
         let Some(format) = named(name) else { unreachable!("a test names the format of each codec") };
         let bias = if unorm { (1 << (format.bits[0] - 1)) - 1 } else { 0 };
-        Ok(Self { codec, format, bias, spare })
+        Ok(Self { codec, format, bias, spare, blocks: None })
+    }
+
+    /// The coding of a codec's two channels, whatever their width, in compressed blocks.
+    ///
+    /// # Errors
+    /// [`Error::Codec`] for families other than `oct`, `hemioct` and `xyonly`.
+    pub fn compressed(codec: &'static AnyCodec, compression: Compression) -> Result<Self> {
+        let pair = match codec.id.trim_end_matches(|c: char| c.is_ascii_digit() || c == 'p') {
+            "oct" => Pair::Oct,
+            "hemioct" => Pair::Hemioct,
+            "xyonly" => Pair::Xy,
+            _ => {
+                let what = "is not made for compression; take hemioct16, xyonly16 or oct16".to_owned();
+                return Err(Error::Codec { codec: codec.id, what });
+            }
+        };
+        let Some(format) = named(name_of(compression)) else { unreachable!("a test compresses to each") };
+        Ok(Self { codec, format, bias: 0, spare: None, blocks: Some((pair, compression)) })
     }
 
     /// The coding that a file in this format has of the codec, if it can have one.
     pub fn reading(codec: &'static AnyCodec, format: &Format) -> Option<Self> {
-        let mut codings = [false, true].into_iter().filter_map(|unorm| Self::of(codec, unorm).ok());
-        codings.find(|coding| coding.format.vulkan == format.vulkan)
+        let texels = [false, true].into_iter().map(|unorm| Self::of(codec, unorm));
+        let blocks = COMPRESSIONS.into_iter().map(|compression| Self::compressed(codec, compression));
+        texels.chain(blocks).flatten().find(|coding| coding.format.vulkan == format.vulkan)
     }
 
     /// True where texels have room for alpha.
@@ -67,6 +99,9 @@ impl Coding {
 
     /// The texels of a map. Where they have room for alpha and the map has none, it is 1.
     pub fn pack(&self, map: &NormalMap) -> Vec<u8> {
+        if let Some((pair, compression)) = self.blocks {
+            return compress(&map.vectors, map.width, map.height, pair, compression);
+        }
         let bytes = self.format.bytes();
         let mut texels = vec![0; bytes * map.vectors.len()];
         let pairs = texels.par_chunks_exact_mut(bytes).zip(&map.vectors).enumerate();
@@ -87,6 +122,10 @@ impl Coding {
 
     /// The vectors of texels, and their alpha where there is any and it is not 1 throughout.
     pub fn unpack(&self, texels: &[u8], width: u32, height: u32) -> NormalMap {
+        if let Some((pair, compression)) = self.blocks {
+            let vectors = decompress(texels, width, height, pair, compression).unwrap_or_default();
+            return NormalMap { width, height, vectors, alpha: None };
+        }
         let chunks = texels.par_chunks_exact(self.format.bytes());
         let vectors = chunks.clone().map(|texel| {
             let code = u64::from(field(texel, 0, 32)) | u64::from(field(texel, 32, 32)) << 32;

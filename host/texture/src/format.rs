@@ -15,6 +15,8 @@ pub enum Numbers {
     Integer,
     /// IEEE 754 floats of 16 or 32 bits.
     Float,
+    /// Nothing by itself: the bits are those of a block of 4 by 4 texels.
+    Block,
 }
 
 /// A format of texels, by its names in Vulkan and Direct3D. Channels lie from the low bit of the texel on.
@@ -66,6 +68,9 @@ formats! {
     R32G32_UINT Some(Dxgi::R32G32_UInt), Integer [32, 32];
     R32G32B32_SFLOAT Some(Dxgi::R32G32B32_Float), Float [32, 32, 32];
     R32G32B32A32_SFLOAT Some(Dxgi::R32G32B32A32_Float), Float [32, 32, 32, 32];
+    BC5_UNORM_BLOCK Some(Dxgi::BC5_UNorm), Block [128];
+    BC5_SNORM_BLOCK Some(Dxgi::BC5_SNorm), Block [128];
+    BC7_UNORM_BLOCK Some(Dxgi::BC7_UNorm), Block [128];
 }
 
 /// The format of this name, after `VK_FORMAT_`.
@@ -79,14 +84,16 @@ impl Format {
         format!("{:?}", self.vulkan)
     }
 
-    /// The bytes of a texel.
+    /// The bytes of a texel or block.
     pub fn bytes(&self) -> usize {
         self.bits.iter().sum::<u32>() as usize / 8
     }
 
     /// The bytes of an image of this size, or `None` beyond what the machine can address.
     pub fn bytes_of(&self, width: u32, height: u32) -> Option<usize> {
-        usize::try_from(u64::from(width) * u64::from(height)).ok()?.checked_mul(self.bytes())
+        let side = if self.numbers == Numbers::Block { 4 } else { 1 };
+        let [columns, rows] = [width, height].map(|size| u64::from(size.div_ceil(side)));
+        usize::try_from(columns * rows).ok()?.checked_mul(self.bytes())
     }
 
     /// True for a format whose channels can be the components of vectors.
@@ -115,7 +122,7 @@ impl Format {
                 let signed = ((field << (32 - bits)) as i32) >> (32 - bits);
                 (f64::from(signed) / most(bits - 1)).max(-1.0) as f32
             }
-            Numbers::Integer => field as f32,
+            Numbers::Integer | Numbers::Block => field as f32,
             Numbers::Float if bits == 16 => f16::from_bits(field as u16).into(),
             Numbers::Float => f32::from_bits(field),
         }
@@ -125,7 +132,7 @@ impl Format {
     pub fn field_of(&self, number: f32, bits: u32) -> u32 {
         let number = f64::from(number.clamp(0.0, 1.0));
         match self.numbers {
-            Numbers::Unorm | Numbers::Integer => (number * most(bits)).round() as u32,
+            Numbers::Unorm | Numbers::Integer | Numbers::Block => (number * most(bits)).round() as u32,
             Numbers::Snorm => (number * most(bits - 1)).round() as u32,
             Numbers::Float if bits == 16 => f16::from_f64(number).to_bits().into(),
             Numbers::Float => (number as f32).to_bits(),

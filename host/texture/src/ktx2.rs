@@ -3,7 +3,7 @@
 use crate::format::FORMATS;
 use crate::{Error, Result, Texture};
 use ktx2::dfd::{Basic, Block};
-use ktx2::{Header, Index, LevelIndex, Reader};
+use ktx2::{Header, Index, KeyValueDataIterator, LevelIndex};
 use std::path::Path;
 
 /// The key of the codec's identifier. Values are text, ended by a zero, as KTX's own are.
@@ -18,8 +18,13 @@ const Y: &str = "unitvecY";
 /// [`Error::Damaged`], and [`Error::Unsupported`] for arrays, cubes, volumes, supercompression and other formats.
 pub fn read(path: &Path, bytes: &[u8]) -> Result<Texture> {
     let damaged = |reason: &str| Error::damaged(path, "ktx2", reason);
-    let reader = Reader::new(bytes).map_err(|error| Error::damaged(path, "ktx2", error))?;
-    let header = reader.header();
+    let part = |from: u64, length: u64| {
+        let end = usize::try_from(from.checked_add(length)?).ok()?;
+        bytes.get(usize::try_from(from).ok()?..end)
+    };
+    // The crate's whole reader panics at descriptors of blocks 256 texels wide. With a Vulkan format none is needed.
+    let head = bytes.first_chunk().ok_or_else(|| damaged("it ends within its header"))?;
+    let header = Header::from_bytes(head).map_err(|error| Error::damaged(path, "ktx2", error))?;
     if header.supercompression_scheme.is_some() {
         let words = "is supercompressed; write it without, as `ktx deflate` and Basis Universal do not";
         return Err(Error::unsupported(path, words));
@@ -33,15 +38,21 @@ pub fn read(path: &Path, bytes: &[u8]) -> Result<Texture> {
             header.format.map_or_else(|| "no Vulkan format".to_owned(), |format| format!("{format:?}"));
         Error::unsupported(path, format!("has {name}; save it in R8G8B8A8_UNORM, for example"))
     })?;
-    let level = reader.levels().next().ok_or_else(|| damaged("it has no levels"))?;
-    let needed = format.bytes_of(width, height).filter(|needed| *needed == level.data.len());
-    needed.ok_or_else(|| damaged("its first level is not as long as its size asks for"))?;
+    let entry = part(Header::LENGTH as u64, LevelIndex::LENGTH as u64).and_then(<[u8]>::first_chunk);
+    let entry = LevelIndex::from_bytes(entry.ok_or_else(|| damaged("it has no levels"))?);
+    let level = part(entry.byte_offset, entry.byte_length)
+        .filter(|level| format.bytes_of(width, height) == Some(level.len()))
+        .ok_or_else(|| {
+            damaged("its first level is not as long as its size asks for, or lies beyond its end")
+        })?;
+    let values = part(header.index.kvd_byte_offset.into(), header.index.kvd_byte_length.into());
     let value = |name: &str| {
-        let (_, value) = reader.key_value_data().find(|(key, _)| *key == name)?;
+        let mut pairs = KeyValueDataIterator::new(values.unwrap_or_default());
+        let (_, value) = pairs.find(|(key, _)| *key == name)?;
         Some(std::str::from_utf8(value).ok()?.trim_end_matches('\0').to_owned())
     };
     let (codec, y) = (value(CODEC), value(Y));
-    Ok(Texture { format, width, height, levels: vec![level.data.to_vec()], codec, y })
+    Ok(Texture { format, width, height, levels: vec![level.to_vec()], codec, y })
 }
 
 /// The file of a texture.

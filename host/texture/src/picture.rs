@@ -19,8 +19,8 @@ pub(crate) fn read(path: &Path, bytes: &[u8], format: ImageFormat, name: &'stati
     let damaged = |error: &dyn std::fmt::Display| Error::damaged(path, name, error);
     let decoder = ImageReader::with_format(Cursor::new(bytes), format).into_decoder();
     let decoder = decoder.map_err(|error| damaged(&error))?;
-    if decoder.total_bytes() > CLOSEST * bytes.len() as u64 {
-        return Err(damaged(&"it is shorter than its size asks for"));
+    if !(1..=CLOSEST * bytes.len() as u64).contains(&decoder.total_bytes()) {
+        return Err(damaged(&"it has not the bytes that its size asks for"));
     }
     let color = decoder.color_type();
     if !color.has_color() {
@@ -28,11 +28,11 @@ pub(crate) fn read(path: &Path, bytes: &[u8], format: ImageFormat, name: &'stati
     }
     let image = DynamicImage::from_decoder(decoder).map_err(|error| damaged(&error))?;
     let bits = u32::from(color.bits_per_pixel()) / u32::from(color.channel_count());
-    let facts = [image.width(), image.height(), bits];
+    let size = [image.width(), image.height()];
     let texels = image.into_rgba32f();
     let channels = texels.pixels().map(|pixel| pixel.0);
     let is_biased = format != ImageFormat::OpenExr;
-    Ok(Raw::of_channels(format!("{name} of {bits} bits"), facts, channels, is_biased))
+    Ok(Raw::of_channels(format!("{name} of {bits} bits"), size, channels, is_biased))
 }
 
 /// A png of vectors, biased: the integer nearest to `(c + 1) / 2` of the greatest, of 8 or 16 bits, for each component c; alpha

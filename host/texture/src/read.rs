@@ -18,8 +18,6 @@ pub(crate) struct Raw {
     pub format: String,
     /// Vectors of any length.
     pub map: NormalMap,
-    /// The bits of a channel.
-    pub bits: u32,
     /// True where the vectors were biased.
     pub is_biased: bool,
 }
@@ -28,14 +26,14 @@ impl Raw {
     /// A map of channels: red, green, blue, alpha. Biased ones stand for -1 to 1 by 0 to 1.
     pub fn of_channels(
         format: String,
-        [width, height, bits]: [u32; 3],
+        [width, height]: [u32; 2],
         texels: impl Iterator<Item = [f32; 4]>,
         is_biased: bool,
     ) -> Self {
         let component = |c: f32| if is_biased { 2.0 * c - 1.0 } else { c };
         let (vectors, alpha) = texels.map(|[x, y, z, alpha]| ([x, y, z].map(component), alpha)).unzip();
         let map = NormalMap { width, height, vectors, alpha: Some(alpha) }.without_opaque_alpha();
-        Self { format, map, bits, is_biased }
+        Self { format, map, is_biased }
     }
 }
 
@@ -48,13 +46,11 @@ pub struct Source {
     pub format: String,
     /// The codec of its texels; `None` for components.
     pub codec: Option<&'static AnyCodec>,
-    /// The bits of a channel.
-    pub bits: u32,
     /// The direction of y, `up` or `down`, where the file tells it.
     pub y: Option<String>,
     /// Texels without a direction, which became +Z.
     pub filled: u64,
-    /// The least and the greatest length of the others before they were normalised.
+    /// The least and the greatest length of the others before they were normalised; `None` for codes of unit vectors.
     pub lengths: Option<[f64; 2]>,
 }
 
@@ -110,7 +106,7 @@ fn of_texture(path: &Path, kind: &str, texture: Texture, codec: Option<&'static 
     let raw = match codec.map(|codec| (codec, Coding::reading(codec, format))) {
         Some((_, Some(coding))) => {
             let map = coding.unpack(&texels, width, height);
-            Raw { format: name, map, bits: format.bits[0], is_biased: false }
+            Raw { format: name, map, is_biased: false }
         }
         Some((codec, None)) => {
             let own = Coding::of(codec, false).map(|coding| coding.format.name()).unwrap_or_default();
@@ -125,17 +121,18 @@ fn of_texture(path: &Path, kind: &str, texture: Texture, codec: Option<&'static 
         None => {
             let texels = texels.chunks_exact(format.bytes()).map(|texel| format.channels(texel));
             let is_biased = format.numbers == Numbers::Unorm;
-            Raw::of_channels(name, [width, height, format.bits[0]], texels, is_biased)
+            Raw::of_channels(name, [width, height], texels, is_biased)
         }
     };
     Ok(normalised(raw, codec, y))
 }
 
-/// Normalises the vectors of a map.
+/// Normalises the vectors of a map; those that a codec of unit vectors decoded keep their bits.
 fn normalised(raw: Raw, codec: Option<&'static AnyCodec>, y: Option<String>) -> Source {
-    let Raw { format, mut map, bits, is_biased } = raw;
+    let Raw { format, mut map, is_biased } = raw;
     let (mut filled, mut lengths) = (0, None);
-    for vector in &mut map.vectors {
+    let is_unit = codec.is_some_and(|codec| codec.is_unit);
+    for vector in map.vectors.iter_mut().filter(|_| !is_unit) {
         let length = vector.iter().map(|c| f64::from(*c).powi(2)).sum::<f64>().sqrt();
         if !(length >= LEAST && length.is_finite()) || is_biased && length > GREATEST {
             filled += 1;
@@ -146,5 +143,5 @@ fn normalised(raw: Raw, codec: Option<&'static AnyCodec>, y: Option<String>) -> 
             *vector = vector.map(|c| (f64::from(c) / length) as f32);
         }
     }
-    Source { map, format, codec, bits, y, filled, lengths }
+    Source { map, format, codec, y, filled, lengths }
 }

@@ -10,6 +10,7 @@ use unitvec_catalogue::{AnyCodec, Domain, find_vector};
 use unitvec_files::{shown, write_file};
 use unitvec_host::input::{Input, has_ending};
 use unitvec_host::{Error, Result};
+use unitvec_texture::block::Compression;
 use unitvec_texture::mips::{Level, chain};
 use unitvec_texture::{Coding, NormalMap, Source, Texture, dds, format, ktx2, picture, space};
 
@@ -25,6 +26,9 @@ pub struct Arguments {
     /// Write codes of two SNORM channels, such as hemioct16's, to UNORM ones.
     #[arg(long)]
     unorm: bool,
+    /// Compress the two channels of a codec of hemioct, xyonly or oct: to BC5, of SNORM without --unorm, or to BC7.
+    #[arg(long, value_enum)]
+    compress: Option<Blocks>,
     /// Direction of y, green, in IN: up the image as in OpenGL and glTF, or down as in Direct3D. Guessed if not given.
     #[arg(long, value_enum)]
     y: Option<Y>,
@@ -46,10 +50,17 @@ pub struct Arguments {
     bits: u32,
     #[command(flatten)]
     summary: Options,
-    /// Normal map: png, tga, exr, ktx2 or dds, the latter two uncompressed.
+    /// Normal map: png, tga, exr, ktx2 or dds, the latter two without supercompression.
     r#in: PathBuf,
     /// Output file: .ktx2, .dds or .png.
     out: PathBuf,
+}
+
+/// A kind of compressed blocks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Blocks {
+    Bc5,
+    Bc7,
 }
 
 /// A direction of y.
@@ -150,12 +161,19 @@ fn coding(arguments: &Arguments, kind: Kind, codec: Option<&'static AnyCodec>) -
         _ if kind == Kind::Png && arguments.mips => {
             usage("a png has no levels; name an OUT that ends in .ktx2 or .dds, or leave --mips out")
         }
-        Some(codec) => Ok(Some(Coding::of(codec, arguments.unorm)?)),
+        Some(codec) => Ok(Some(match arguments.compress {
+            None => Coding::of(codec, arguments.unorm)?,
+            Some(Blocks::Bc7) => Coding::compressed(codec, Compression::Bc7)?,
+            Some(Blocks::Bc5) if arguments.unorm => Coding::compressed(codec, Compression::Bc5Unorm)?,
+            Some(Blocks::Bc5) => Coding::compressed(codec, Compression::Bc5Snorm)?,
+        })),
         None if kind != Kind::Png => usage(
             "--codec has to name the codec of OUT: hemioct16 for tangent space, oct16p for object space, unorm8x3 for \
              components",
         ),
-        None if arguments.unorm => usage("--unorm applies to codes; add --codec, such as hemioct16"),
+        None if arguments.unorm || arguments.compress.is_some() => {
+            usage("--unorm and --compress apply to codes; add --codec, such as hemioct16")
+        }
         None => Ok(None),
     }
 }
@@ -201,7 +219,7 @@ fn warnings(kind: Kind, coding: Option<Coding>, source: &Source) -> Vec<String> 
             drops_alpha && source.map.alpha.is_some(),
             "alpha is dropped: take a codec with a channel to spare, such as hemioct24 or oct24p, or a texture of its own",
         ),
-        (is_clamped && source.map.vectors.iter().any(|v| v[2] < 0.0), UPPER_ONLY),
+        (is_clamped && space::count_below(&source.map) > 0, UPPER_ONLY),
         (
             is_positive && source.format.starts_with("exr") && source.lengths.is_some(),
             "no x or y is below 0: if its values are biased, 0 to 1, save them as a png",
