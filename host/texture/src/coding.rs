@@ -52,7 +52,7 @@ impl Coding {
             Some("R8G8B8_SNORM") if !codec.is_unit => ("R8G8B8A8_SNORM", Some((24, 8))),
             Some("R16G16B16_SNORM") => ("R16G16B16A16_SNORM", Some((48, 16))),
             Some("R16G16B16_SFLOAT") => ("R16G16B16A16_SFLOAT", Some((48, 16))),
-            Some(own) if named(own).is_some_and(|format| format.bytes() == codec.bytes) => (own, None),
+            Some(own) if codec.bytes != 3 && named(own).is_some() => (own, None),
             _ if codec.id == "uoct20p" => ("A2B10G10R10_UNORM_PACK32", Some((20, 10))),
             _ => match codec.bytes {
                 1 => ("R8_UINT", None),

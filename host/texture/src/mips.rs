@@ -61,7 +61,7 @@ fn taps(size: u32, at: u32) -> impl Iterator<Item = (usize, f64)> + Clone {
     let half = size / 2;
     let shares = match () {
         () if size == 1 => [1, 0, 0],
-        () if size % 2 == 0 => [half, half, 0],
+        () if size.is_multiple_of(2) => [half, half, 0],
         () => [half - at, half, at + 1],
     };
     (2 * at as usize..)

@@ -1,6 +1,5 @@
 //! Pictures: png, tga and exr read, png written.
 
-use crate::read::Raw;
 use crate::{Error, NormalMap, Result};
 use image::{DynamicImage, ImageBuffer, ImageDecoder, ImageFormat, ImageReader, Luma, Rgb, Rgba};
 use std::io::Cursor;
@@ -9,6 +8,30 @@ use std::path::Path;
 /// The most bytes of an image that a byte of its file stands for. Deflate, the closest of the compressions, has 1032
 /// (zlib, Technical Details).
 const CLOSEST: u64 = 1032;
+
+/// A map as its file has it.
+pub(crate) struct Raw {
+    pub format: String,
+    /// Vectors of any length.
+    pub map: NormalMap,
+    /// True where the vectors were biased.
+    pub is_biased: bool,
+}
+
+impl Raw {
+    /// A map of channels: red, green, blue, alpha. Biased ones stand for -1 to 1 by 0 to 1.
+    pub fn of_channels(
+        format: String,
+        [width, height]: [u32; 2],
+        texels: impl Iterator<Item = [f32; 4]>,
+        is_biased: bool,
+    ) -> Self {
+        let component = |c: f32| if is_biased { 2.0 * c - 1.0 } else { c };
+        let (vectors, alpha) = texels.map(|[x, y, z, alpha]| ([x, y, z].map(component), alpha)).unzip();
+        let map = NormalMap { width, height, vectors, alpha: Some(alpha) }.without_opaque_alpha();
+        Self { format, map, is_biased }
+    }
+}
 
 /// Reads a picture: floats as they are, integers biased.
 ///

@@ -1,6 +1,7 @@
 //! Files to maps.
 
 use crate::format::Numbers;
+use crate::picture::Raw;
 use crate::{Coding, Error, NormalMap, Result, Texture, dds, ktx2, picture};
 use image::ImageFormat;
 use std::path::Path;
@@ -12,30 +13,6 @@ const LEAST: f64 = 0.05;
 
 /// The length of a corner of the cube is the root of 3.
 const GREATEST: f64 = 1.7;
-
-/// A map as its file has it.
-pub(crate) struct Raw {
-    pub format: String,
-    /// Vectors of any length.
-    pub map: NormalMap,
-    /// True where the vectors were biased.
-    pub is_biased: bool,
-}
-
-impl Raw {
-    /// A map of channels: red, green, blue, alpha. Biased ones stand for -1 to 1 by 0 to 1.
-    pub fn of_channels(
-        format: String,
-        [width, height]: [u32; 2],
-        texels: impl Iterator<Item = [f32; 4]>,
-        is_biased: bool,
-    ) -> Self {
-        let component = |c: f32| if is_biased { 2.0 * c - 1.0 } else { c };
-        let (vectors, alpha) = texels.map(|[x, y, z, alpha]| ([x, y, z].map(component), alpha)).unzip();
-        let map = NormalMap { width, height, vectors, alpha: Some(alpha) }.without_opaque_alpha();
-        Self { format, map, is_biased }
-    }
-}
 
 /// A map, and the facts of its file.
 #[derive(Clone, Debug)]
