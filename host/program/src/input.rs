@@ -10,7 +10,7 @@ use unitvec_catalogue::{AnyCodec, Element};
 use unitvec_files::shown;
 use unitvec_mesh as mesh;
 use unitvec_mesh::{FileFormat, Frames, Mesh, MeshError, Part, Reach, Rotations};
-use unitvec_texture::{Source, is_texture};
+use unitvec_texture::Source;
 
 /// Endings of files that hold raw floats.
 pub const RAW_ENDINGS: [&str; 3] = ["bin", "f32", "raw"];
@@ -78,7 +78,8 @@ impl Input {
         let (mesh, is_text) = (FileFormat::of(path, &head), is_text(&head));
         let is_broken_text = mesh.is_some_and(|format| format.is_text(&head)) && head.contains(&0);
         let (array, container) = (head.starts_with(Npy::MAGIC), head.starts_with(container::MAGIC));
-        let (is_texture, path) = (mesh.is_none() && is_texture(path, &head), path.to_owned());
+        let (is_texture, path) =
+            (mesh.is_none() && unitvec_texture::kind(path, &head).is_some(), path.to_owned());
         let reader = Box::new(Cursor::new(head).chain(reader));
         Ok(Self {
             path,
@@ -203,10 +204,9 @@ impl Input {
     /// # Errors
     /// Errors of reading, and of [`unitvec_texture::read`].
     pub fn texture(mut self, codec: Option<&'static AnyCodec>) -> Result<Source> {
-        if !self.is_texture {
-            return Err(unitvec_texture::Error::UnknownFormat { path: self.path }.into());
-        }
-        let bytes = self.read_whole().map_err(|source| self.error(source))?;
+        // What is no texture is refused without its bytes.
+        let bytes = if self.is_texture { self.read_whole() } else { Ok(Vec::new()) };
+        let bytes = bytes.map_err(|source| self.error(source))?;
         Ok(unitvec_texture::read(&self.path, &bytes, codec)?)
     }
 

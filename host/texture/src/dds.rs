@@ -45,14 +45,14 @@ fn legacy(format: D3DFormat) -> Option<&'static crate::Format> {
 /// The file of a texture.
 ///
 /// # Errors
-/// [`Error::Dds`] for a format that Direct3D lacks, and for 4 GiB.
+/// [`Error::Output`] for a format that Direct3D lacks, and for 4 GiB.
 pub fn write(texture: &Texture) -> Result<Vec<u8>> {
-    let failed = |what: String| Error::Dds { what };
+    let failed = |reason: String| Error::Output { format: "dds", reason };
     let format = texture.format.dxgi;
-    let format = format.ok_or_else(|| failed(format!("has no {}", texture.format.name())))?;
+    let format = format.ok_or_else(|| failed(format!("it has no {}", texture.format.name())))?;
     let data = texture.levels.concat();
     if u32::try_from(data.len()).is_err() {
-        return Err(failed("cannot hold so many texels".to_owned()));
+        return Err(failed("it cannot hold so many texels".to_owned()));
     }
     let mut dds = Dds::new_dxgi(NewDxgiParams {
         height: texture.height,
@@ -66,9 +66,9 @@ pub fn write(texture: &Texture) -> Result<Vec<u8>> {
         resource_dimension: D3D10ResourceDimension::Texture2D,
         alpha_mode: AlphaMode::Unknown,
     })
-    .map_err(|error| failed(format!("cannot be made: {}", unitvec_files::one_line(error))))?;
+    .map_err(|error| failed(unitvec_files::one_line(error)))?;
     dds.data = data;
     let mut bytes = Vec::new();
-    dds.write(&mut bytes).map_err(|error| failed(format!("cannot be made: {error}")))?;
+    dds.write(&mut bytes).map_err(|error| failed(unitvec_files::one_line(error)))?;
     Ok(bytes)
 }

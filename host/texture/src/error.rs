@@ -9,12 +9,6 @@ pub enum Error {
     /// See [`unitvec_files::Error`].
     #[error(transparent)]
     Files(#[from] unitvec_files::Error),
-    /// No image, or one of another format.
-    #[error("{} is no png, tga, exr, ktx2 or dds; save it as one of these", .path.display())]
-    UnknownFormat {
-        /// The file's path.
-        path: PathBuf,
-    },
     /// The file is damaged, or its parser does not know it.
     #[error("cannot read {} as {format}: {reason}; check that the file is whole, or export it again", .path.display())]
     Damaged {
@@ -25,7 +19,7 @@ pub enum Error {
         /// The fault, in one line.
         reason: String,
     },
-    /// The file is whole, and holds something other than a map of vectors.
+    /// The file is whole, and holds something other than a map of vectors, or codes of another codec.
     #[error("{} {what}", .path.display())]
     Unsupported {
         /// The file's path.
@@ -41,16 +35,12 @@ pub enum Error {
         /// The obstacle and the remedy.
         what: String,
     },
-    /// The format has no room for the texture.
-    #[error("a dds file {what}; name an OUT that ends in .ktx2")]
-    Dds {
-        /// The obstacle.
-        what: String,
-    },
-    /// The picture cannot be packed.
-    #[error("cannot pack the png: {reason}")]
-    Png {
-        /// The fault, in one line.
+    /// A dds or png cannot hold what it should.
+    #[error("cannot make the {format}: {reason}; name an OUT that ends in .ktx2")]
+    Output {
+        /// `png` or `dds`.
+        format: &'static str,
+        /// The obstacle, in one line.
         reason: String,
     },
 }
@@ -67,7 +57,7 @@ impl Error {
     /// True where the command line is at fault.
     pub fn is_usage(&self) -> bool {
         match self {
-            Self::Codec { .. } | Self::Dds { .. } | Self::UnknownFormat { .. } => true,
+            Self::Codec { .. } | Self::Output { .. } => true,
             Self::Files(error) => error.is_usage(),
             _ => false,
         }

@@ -114,15 +114,14 @@ impl Format {
         channels
     }
 
-    /// The number that the bits of a channel stand for.
-    fn number(&self, field: u32, bits: u32) -> f32 {
+    /// The number that the bits of a channel stand for: of integers, the UNORM that [`field_of`](Self::field_of) stores.
+    pub fn number(&self, field: u32, bits: u32) -> f32 {
         match self.numbers {
-            Numbers::Unorm => (f64::from(field) / most(bits)) as f32,
+            Numbers::Unorm | Numbers::Integer | Numbers::Block => (f64::from(field) / most(bits)) as f32,
             Numbers::Snorm => {
                 let signed = ((field << (32 - bits)) as i32) >> (32 - bits);
                 (f64::from(signed) / most(bits - 1)).max(-1.0) as f32
             }
-            Numbers::Integer | Numbers::Block => field as f32,
             Numbers::Float if bits == 16 => f16::from_bits(field as u16).into(),
             Numbers::Float => f32::from_bits(field),
         }
@@ -136,14 +135,6 @@ impl Format {
             Numbers::Snorm => (number * most(bits - 1)).round() as u32,
             Numbers::Float if bits == 16 => f16::from_f64(number).to_bits().into(),
             Numbers::Float => (number as f32).to_bits(),
-        }
-    }
-
-    /// The number of [`field_of`](Self::field_of).
-    pub fn number_of(&self, field: u32, bits: u32) -> f32 {
-        match self.numbers {
-            Numbers::Integer => (f64::from(field) / most(bits)) as f32,
-            _ => self.number(field, bits),
         }
     }
 }

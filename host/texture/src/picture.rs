@@ -1,7 +1,8 @@
 //! Pictures: png, tga and exr read, png written.
 
+use crate::mips::Level;
 use crate::{Error, NormalMap, Result};
-use image::{DynamicImage, ImageBuffer, ImageDecoder, ImageFormat, ImageReader, Luma, Rgb, Rgba};
+use image::{DynamicImage, GrayImage, ImageDecoder, ImageFormat, ImageReader, Luma, RgbImage, Rgba32FImage};
 use std::io::Cursor;
 use std::path::Path;
 
@@ -58,59 +59,49 @@ pub(crate) fn read(path: &Path, bytes: &[u8], format: ImageFormat, name: &'stati
     Ok(Raw::of_channels(format!("{name} of {bits} bits"), size, channels, is_biased))
 }
 
-/// A png of vectors, biased: the integer nearest to `(c + 1) / 2` of the greatest, of 8 or 16 bits, for each component c; alpha
-/// where there is one.
+/// A png of vectors, biased: `(c + 1) / 2` of each component c, and alpha where there is one, in 8 or 16 bits.
 ///
 /// # Errors
-/// [`Error::Png`].
+/// [`Error::Output`].
 pub fn write(map: &NormalMap, bits: u32) -> Result<Vec<u8>> {
-    let most = f64::from((1u32 << bits) - 1);
-    let to = |number: f64| (number.clamp(0.0, 1.0) * most).round() as u16;
-    let biased = |component: &f32| to(f64::from(*component) * 0.5 + 0.5);
-    let colors = map.vectors.iter().map(|v| v.each_ref().map(biased));
-    let texels: Vec<u16> = match &map.alpha {
-        Some(alpha) => {
-            colors.zip(alpha).flat_map(|([x, y, z], alpha)| [x, y, z, to((*alpha).into())]).collect()
-        }
-        None => colors.flatten().collect(),
+    let alpha = |at: usize| map.alpha.as_ref().map_or(1.0, |alpha| alpha[at]);
+    let biased = |(at, [x, y, z]): (usize, &[f32; 3])| {
+        let [x, y, z] = [x, y, z].map(|c| (f64::from(*c) * 0.5 + 0.5) as f32);
+        [x, y, z, alpha(at)]
     };
-    let (width, height) = (map.width, map.height);
-    let image = match (bits, map.alpha.is_some()) {
-        (8, is_alpha) => {
-            let texels = texels.into_iter().map(|number| number as u8).collect();
-            match is_alpha {
-                true => ImageBuffer::<Rgba<u8>, _>::from_raw(width, height, texels).map(DynamicImage::from),
-                false => ImageBuffer::<Rgb<u8>, _>::from_raw(width, height, texels).map(DynamicImage::from),
-            }
-        }
-        (_, true) => ImageBuffer::<Rgba<u16>, _>::from_raw(width, height, texels).map(DynamicImage::from),
-        (_, false) => ImageBuffer::<Rgb<u16>, _>::from_raw(width, height, texels).map(DynamicImage::from),
-    };
-    png(image)
+    let texels = map.vectors.iter().enumerate().flat_map(biased).collect();
+    let image = Rgba32FImage::from_raw(map.width, map.height, texels).map(DynamicImage::from);
+    png(image.map(|image| match (bits, map.alpha.is_some()) {
+        (8, false) => image.into_rgb8().into(),
+        (8, true) => image.into_rgba8().into(),
+        (_, false) => image.into_rgb16().into(),
+        (_, true) => image.into_rgba16().into(),
+    }))
 }
 
 /// A png of errors from black over red and yellow to white, which stands for the greatest.
 ///
 /// # Errors
-/// [`Error::Png`].
+/// [`Error::Output`].
 pub fn heat(width: u32, height: u32, errors: &[f64]) -> Result<Vec<u8>> {
     let most = errors.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
     let color = |error: &f64| [0.0, 1.0, 2.0].map(|dark| ((error / most * 3.0 - dark) * 255.0).round() as u8);
     let texels = errors.iter().flat_map(color).collect();
-    png(ImageBuffer::<Rgb<u8>, _>::from_raw(width, height, texels).map(DynamicImage::from))
+    png(RgbImage::from_raw(width, height, texels).map(DynamicImage::from))
 }
 
-/// A gray png of the levels of numbers of 0 to 1, each to the right of the one before it.
+/// A gray png of the [roughness](Level::roughness) of levels, each to the right of the one before it.
 ///
 /// # Errors
-/// [`Error::Png`].
-pub fn strip(levels: &[(u32, u32, Vec<f32>)]) -> Result<Vec<u8>> {
-    let (width, height) = levels.iter().fold((0, 0), |(sum, most), (w, h, _)| (sum + w, most.max(*h)));
-    let mut image = ImageBuffer::<Luma<u8>, Vec<u8>>::new(width, height);
-    let mut left = 0;
-    for (width, _, numbers) in levels {
-        for (at, number) in (0..).zip(numbers) {
-            image.put_pixel(left + at % width, at / width, Luma([(number * 255.0).round() as u8]));
+/// [`Error::Output`].
+pub fn strip(levels: &[Level]) -> Result<Vec<u8>> {
+    let widths = levels.iter().map(|level| level.map.width);
+    let height = levels.iter().map(|level| level.map.height).max();
+    let (mut image, mut left) = (GrayImage::new(widths.sum(), height.unwrap_or(0)), 0);
+    for level in levels {
+        let width = level.map.width;
+        for (at, roughness) in (0..).zip(level.roughness()) {
+            image.put_pixel(left + at % width, at / width, Luma([(roughness * 255.0).round() as u8]));
         }
         left += width;
     }
@@ -118,7 +109,7 @@ pub fn strip(levels: &[(u32, u32, Vec<f32>)]) -> Result<Vec<u8>> {
 }
 
 fn png(image: Option<DynamicImage>) -> Result<Vec<u8>> {
-    let failed = |reason: String| Error::Png { reason };
+    let failed = |reason: String| Error::Output { format: "png", reason };
     let image = image.ok_or_else(|| failed("its size is not that of its texels".to_owned()))?;
     let mut bytes = Cursor::new(Vec::new());
     let written = image.write_to(&mut bytes, ImageFormat::Png);

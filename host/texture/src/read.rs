@@ -14,6 +14,8 @@ const LEAST: f64 = 0.05;
 /// The length of a corner of the cube is the root of 3.
 const GREATEST: f64 = 1.7;
 
+const UNKNOWN: &str = "is no png, tga, exr, ktx2 or dds; save it as one of these";
+
 /// A map, and the facts of its file.
 #[derive(Clone, Debug)]
 pub struct Source {
@@ -40,8 +42,8 @@ const KINDS: [(&[u8], &str); 5] = [
     (b"", "tga"),
 ];
 
-/// The name of a file's kind, by its first bytes and its ending.
-fn kind(path: &Path, head: &[u8]) -> Option<&'static str> {
+/// The kind of a file that [`read`] takes, by its first bytes and its ending.
+pub fn kind(path: &Path, head: &[u8]) -> Option<&'static str> {
     let ending = path.extension().unwrap_or_default();
     let kind = KINDS.iter().find(|(magic, name)| match magic {
         [] => ending.eq_ignore_ascii_case(name),
@@ -50,18 +52,13 @@ fn kind(path: &Path, head: &[u8]) -> Option<&'static str> {
     kind.map(|(_, name)| *name)
 }
 
-/// True for a file that [`read`] takes, by its first bytes and its ending.
-pub fn is_texture(path: &Path, head: &[u8]) -> bool {
-    kind(path, head).is_some()
-}
-
 /// Reads a map from the bytes of a file. Its texels are codes of `codec`; or, if that is not given, of the codec that the file
 /// names; or components. Components are normalised. Those of integers are biased, but for SNORM; sRGB formats are refused.
 ///
 /// # Errors
 /// Errors of a damaged file, of a format that is unknown, and of a codec that the format cannot hold.
 pub fn read(path: &Path, bytes: &[u8], codec: Option<&'static AnyCodec>) -> Result<Source> {
-    let kind = kind(path, bytes).ok_or_else(|| Error::UnknownFormat { path: path.to_owned() })?;
+    let kind = kind(path, bytes).ok_or_else(|| Error::unsupported(path, UNKNOWN))?;
     let picture = |format| picture::read(path, bytes, format, kind).map(|raw| normalised(raw, None, None));
     match (kind, codec) {
         ("ktx2", _) => of_texture(path, kind, ktx2::read(path, bytes)?, codec),

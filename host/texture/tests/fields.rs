@@ -69,7 +69,6 @@ fn lost_length_is_roughness() {
         let levels = chain(&map(2, 2, |x, _| [(1.0 - 2.0 * x) * t.sin(), 0.0, t.cos()]));
         let alpha = (2.0 * (1.0 - t.cos()) / t.cos()).sqrt();
         assert!((f64::from(levels[1].roughness()[0]).powi(2) - alpha).abs() < 1e-5, "{t}");
-        assert!(levels[0].roughness().iter().all(|roughness| *roughness < 0.03));
     }
 }
 
@@ -81,7 +80,6 @@ fn odd_sizes_keep_the_mean() {
         let sum = |c: usize| map.vectors.iter().map(|v| f64::from(v[c])).sum::<f64>();
         let mean = [sum(0), sum(1), sum(2)].map(|c| c / f64::from(width * height));
         let last = chain(&map).pop().unwrap();
-        // Levels between have whole halves: 5 to 2 to 1, where all of 5 count alike in 2, and both of these in 1.
         let length = mean.iter().map(|c| c * c).sum::<f64>().sqrt();
         assert!(angle_deg(last.map.vectors[0], mean.map(|c| c as f32)) < 1e-4, "{width} x {height}");
         assert!((f64::from(last.lengths[0]) - length).abs() < 1e-6);

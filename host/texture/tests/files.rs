@@ -7,7 +7,7 @@ use std::path::Path;
 use unitvec::angle_deg;
 use unitvec_catalogue::{AnyCodec, Domain, find, vectors};
 use unitvec_texture::block::{Compression, compress, decompress};
-use unitvec_texture::format::{FORMATS, Numbers};
+use unitvec_texture::format::named;
 use unitvec_texture::{Coding, Error, NormalMap, Pair, Source, Texture, dds, ktx2, picture, read};
 
 /// Directions spread over the sphere, or over its upper half, by the golden angle; alpha from 0 to 1.
@@ -67,9 +67,11 @@ fn maps_come_back_as_the_codecs_decode_them() {
             assert_eq!(alpha.is_some(), coding.has_alpha(), "{} in {}", codec.id, source.format);
             let kept = alpha.iter().flatten().zip(map.alpha.iter().flatten());
             // SNORM of 8 bits has 127 steps from 0 to 1.
-            kept.for_each(|(found, alpha)| {
-                assert!((found - alpha).abs() <= 0.5 / 127.0 + 1e-6, "{}", codec.id)
-            });
+            assert!(
+                kept.into_iter().all(|(found, alpha)| (found - alpha).abs() < 0.501 / 127.0),
+                "{}",
+                codec.id
+            );
         }
     }
 }
@@ -77,41 +79,31 @@ fn maps_come_back_as_the_codecs_decode_them() {
 /// The crates `ktx2` and `ddsfile` find the size, the format, and each level's bytes; the descriptor has the format's channels.
 #[test]
 fn other_readers_agree() {
-    for coding in
-        codings().chain([find("hemioct16").unwrap()].map(|codec| compressed(codec, Compression::Bc7)))
-    {
-        let map = map(6, 4, coding.codec.domain);
+    let block = compressed(find("hemioct16").unwrap(), Compression::Bc7);
+    for coding in codings().chain([block]) {
+        let (map, format) = (map(6, 4, coding.codec.domain), coding.format);
         let mut texture = texture(coding, &map);
         let small = NormalMap { width: 3, height: 2, vectors: map.vectors[..6].to_vec(), alpha: None };
         texture.levels.push(coding.pack(&small));
         let file = ktx2::write(&texture);
         let reader = ::ktx2::Reader::new(&file[..]).unwrap();
-        let header = reader.header();
-        assert_eq!(
-            (header.format, header.pixel_width, header.pixel_height),
-            (Some(coding.format.vulkan), 6, 4)
-        );
+        let ::ktx2::Header { format: vulkan, pixel_width, pixel_height, .. } = reader.header();
+        assert_eq!((vulkan, pixel_width, pixel_height), (Some(format.vulkan), 6, 4));
         let levels: Vec<&[u8]> = reader.levels().map(|level| level.data).collect();
         assert_eq!(levels, texture.levels);
         let place = |level: &&[u8]| level.as_ptr() as usize - file.as_ptr() as usize;
-        assert!(levels.iter().map(place).all(|at| at % 4 == 0 && at % coding.format.bytes() == 0));
+        assert!(levels.iter().map(place).all(|at| at % 4 == 0 && at % format.bytes() == 0));
         let keys: Vec<&str> = reader.key_value_data().map(|(key, _)| key).collect();
         assert_eq!(keys, ["KTXorientation", "KTXwriter", "unitvecCodec", "unitvecY"]);
         let descriptor = reader.basic_dfd().unwrap();
-        let bits: u32 =
-            descriptor.sample_information.iter().map(|sample| u32::from(sample.bit_length.get())).sum();
-        assert_eq!(
-            (bits, usize::from(descriptor.bytes_planes[0])),
-            (coding.format.bits.iter().sum(), coding.format.bytes())
-        );
-        let Some(dxgi) = coding.format.dxgi else { continue };
-        let file = dds::write(&texture).unwrap();
-        let dds = Dds::read(&file[..]).unwrap();
+        let bits = descriptor.sample_information.iter().map(|sample| u32::from(sample.bit_length.get()));
+        assert_eq!(bits.sum::<u32>(), format.bits.iter().sum::<u32>());
+        assert_eq!(usize::from(descriptor.bytes_planes[0]), format.bytes());
+        let Some(dxgi) = format.dxgi else { continue };
+        let dds = Dds::read(&dds::write(&texture).unwrap()[..]).unwrap();
         assert_eq!((dds.get_dxgi_format(), dds.get_width(), dds.get_height()), (Some(dxgi), 6, 4));
-        assert_eq!(
-            (dds.get_num_mipmap_levels(), dds.get_data(0).unwrap()),
-            (2, &texture.levels.concat()[..])
-        );
+        assert_eq!(dds.get_num_mipmap_levels(), 2);
+        assert_eq!(dds.get_data(0).unwrap(), texture.levels.concat());
     }
 }
 
@@ -139,7 +131,7 @@ fn blocks_come_back() {
 /// Numbers of channels by the rules of Vulkan (section "Conversion from normalized fixed-point to floating-point").
 #[test]
 fn channels_are_vulkans() {
-    let channels = |name: &str, texel: &[u8]| unitvec_texture::format::named(name).unwrap().channels(texel);
+    let channels = |name: &str, texel: &[u8]| named(name).unwrap().channels(texel);
     assert_eq!(channels("R8G8B8A8_UNORM", &[0, 255, 51, 102]), [0.0, 1.0, 0.2, 0.4]);
     assert_eq!(channels("B8G8R8A8_UNORM", &[0, 255, 51, 102]), [0.2, 1.0, 0.0, 0.4]);
     assert_eq!(channels("R8G8B8A8_SNORM", &[0x80, 0x81, 0, 127]), [-1.0, -1.0, 0.0, 1.0]);
@@ -238,6 +230,5 @@ fn headers_that_lie() {
     assert!(oct48.contains("R8G8_SNORM") && oct48.contains("R32G32_UINT"), "{oct48}");
     let snorm10 = find("snorm10x3").unwrap();
     let refused = dds::write(&self::texture(Coding::of(snorm10, false).unwrap(), &map));
-    assert!(matches!(refused, Err(Error::Dds { .. })));
-    assert!(FORMATS.iter().all(|format| format.numbers == Numbers::Block || format.bytes() <= 16));
+    assert!(matches!(refused, Err(Error::Output { .. })));
 }

@@ -1,5 +1,6 @@
 use super::summary::{Options, Told, UPPER_ONLY};
 use super::{counted, degrees};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -27,8 +28,8 @@ pub struct Arguments {
     #[arg(long)]
     unorm: bool,
     /// Compress the two channels of a codec of hemioct, xyonly or oct: to BC5, of SNORM without --unorm, or to BC7.
-    #[arg(long, value_enum)]
-    compress: Option<Blocks>,
+    #[arg(long, value_name = "bc5|bc7", value_parser = ["bc5", "bc7"])]
+    compress: Option<String>,
     /// Direction of y, green, in IN: up the image as in OpenGL and glTF, or down as in Direct3D. Guessed if not given.
     #[arg(long, value_enum)]
     y: Option<Y>,
@@ -46,7 +47,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     heat: Option<PathBuf>,
     /// Bits of a channel of a png.
-    #[arg(long, value_name = "8|16", default_value = "16", value_parser = clap::value_parser!(u32).range(8..=16))]
+    #[arg(long, value_name = "8|16", default_value = "16", value_parser = PossibleValuesParser::new(["8", "16"]).try_map(|bits| bits.parse::<u32>()))]
     bits: u32,
     #[command(flatten)]
     summary: Options,
@@ -56,12 +57,7 @@ pub struct Arguments {
     out: PathBuf,
 }
 
-/// A kind of compressed blocks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Blocks {
-    Bc5,
-    Bc7,
-}
+const PNG: &str = "png";
 
 /// A direction of y.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -74,59 +70,52 @@ impl Y {
     fn name(self) -> &'static str {
         if self == Self::Up { "up" } else { "down" }
     }
-
-    fn turned(self) -> Self {
-        if self == Self::Up { Self::Down } else { Self::Up }
-    }
 }
 
-/// A kind of output.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Ktx2,
-    Dds,
-    Png,
+/// The kind of an output, its ending.
+fn kind_of(path: &Path) -> Result<&'static str> {
+    let kind = ["ktx2", "dds", PNG].into_iter().find(|ending| has_ending(path, &[ending]));
+    kind.ok_or_else(|| Error::Usage(format!("{} has to end in .ktx2, .dds or .png", path.display())))
 }
 
-impl Kind {
-    fn of(path: &Path) -> Result<Self> {
-        let kinds = [("ktx2", Self::Ktx2), ("dds", Self::Dds), ("png", Self::Png)];
-        let kind = kinds.into_iter().find(|(ending, _)| has_ending(path, &[ending]));
-        let words = || format!("{} has to end in .ktx2, .dds or .png", path.display());
-        kind.map(|(_, kind)| kind).ok_or_else(|| Error::Usage(words()))
-    }
-
-    fn write(self, texture: &Texture) -> Result<Vec<u8>> {
-        Ok(if self == Self::Dds { dds::write(texture)? } else { ktx2::write(texture) })
-    }
+fn write(kind: &str, texture: &Texture) -> Result<Vec<u8>> {
+    Ok(if kind == "dds" { dds::write(texture)? } else { ktx2::write(texture) })
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let (input, out) = (&arguments.r#in, &arguments.out);
     arguments.summary.spare(&[(input.clone(), out.clone())])?;
-    let kind = Kind::of(out)?;
+    let kind = kind_of(out)?;
     let find = |id: &Option<String>| id.as_ref().map(|id| find_vector(id)).transpose();
     let (codec, from) = (find(&arguments.codec)?, find(&arguments.from)?);
     let mut source = Input::open(input)?.texture(from)?;
-    let coding = coding(arguments, kind, codec.or(source.codec.filter(|_| kind != Kind::Png)))?;
+    let coding = coding(arguments, kind, codec.or(source.codec.filter(|_| kind != PNG)))?;
     let is_object_space = space::is_object_space(&source.map);
-    if let Some(codec) = coding.map(|coding| coding.codec) {
-        check_space(input, codec, &source.map, is_object_space)?;
+    let below_equator = space::count_below(&source.map);
+    let is_upper = |coding: &Coding| coding.codec.domain == Domain::Hemisphere;
+    if let Some(coding) = coding.filter(|coding| is_object_space && is_upper(coding)) {
+        return Err(Error::Usage(format!(
+            "{} is of object space: z < 0 in {below_equator} of {} texels, and {} is for z >= 0 only; take oct16p, for \
+             example",
+            input.display(),
+            source.map.vectors.len(),
+            coding.codec.id
+        )));
     }
     let (y, correlation) = direction(arguments, &source, is_object_space);
     if arguments.flip_y {
         source.map.flip_y();
     }
-    let warnings = warnings(kind, coding, &source);
+    let is_moved = below_equator > 0 && coding.as_ref().is_some_and(is_upper);
+    let warnings = warnings(kind, coding, &source, is_moved);
     let levels = levels(arguments, coding, &source.map)?;
     let bytes = file(arguments, kind, coding, &source.map, &levels, y)?;
-    let written =
-        unitvec_texture::read(out, &bytes, coding.map(|it| it.codec).filter(|_| kind == Kind::Dds))?;
+    let written = unitvec_texture::read(out, &bytes, coding.map(|it| it.codec).filter(|_| kind == "dds"))?;
     let pairs = source.map.vectors.par_iter().zip(&written.map.vectors);
     let errors: Vec<f64> = pairs.map(|(v, written)| angle_deg(*v, *written)).collect();
     let max_deg = errors.iter().copied().fold(0.0, f64::max);
     write_file(out, &bytes)?;
-    if let Some(path) = arguments.roughness.as_ref().filter(|path| !is_alpha(path)) {
+    if let Some(path) = arguments.roughness.as_ref().filter(|path| path.as_os_str() != "alpha") {
         write_file(path, &roughness(path, &levels)?)?;
     }
     if let Some(path) = &arguments.heat {
@@ -143,7 +132,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         y_correlation: correlation,
         filled: source.filled,
         lengths: source.lengths,
-        below_equator: space::count_below(&source.map),
+        below_equator,
         mean_deg: errors.iter().sum::<f64>() / errors.len().max(1) as f64,
         max_deg,
         heat: arguments.heat.clone(),
@@ -155,19 +144,19 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
 }
 
 /// The coding of the output; none for the components of a png.
-fn coding(arguments: &Arguments, kind: Kind, codec: Option<&'static AnyCodec>) -> Result<Option<Coding>> {
+fn coding(arguments: &Arguments, kind: &str, codec: Option<&'static AnyCodec>) -> Result<Option<Coding>> {
     let usage = |words: &str| Err(Error::Usage(words.to_owned()));
     match codec {
-        _ if kind == Kind::Png && arguments.mips => {
+        _ if kind == PNG && arguments.mips => {
             usage("a png has no levels; name an OUT that ends in .ktx2 or .dds, or leave --mips out")
         }
-        Some(codec) => Ok(Some(match arguments.compress {
+        Some(codec) => Ok(Some(match arguments.compress.as_deref() {
             None => Coding::of(codec, arguments.unorm)?,
-            Some(Blocks::Bc7) => Coding::compressed(codec, Compression::Bc7)?,
-            Some(Blocks::Bc5) if arguments.unorm => Coding::compressed(codec, Compression::Bc5Unorm)?,
-            Some(Blocks::Bc5) => Coding::compressed(codec, Compression::Bc5Snorm)?,
+            Some("bc7") => Coding::compressed(codec, Compression::Bc7)?,
+            Some(_) if arguments.unorm => Coding::compressed(codec, Compression::Bc5Unorm)?,
+            Some(_) => Coding::compressed(codec, Compression::Bc5Snorm)?,
         })),
-        None if kind != Kind::Png => usage(
+        None if kind != PNG => usage(
             "--codec has to name the codec of OUT: hemioct16 for tangent space, oct16p for object space, unorm8x3 for \
              components",
         ),
@@ -175,20 +164,6 @@ fn coding(arguments: &Arguments, kind: Kind, codec: Option<&'static AnyCodec>) -
             usage("--unorm and --compress apply to codes; add --codec, such as hemioct16")
         }
         None => Ok(None),
-    }
-}
-
-/// Refuses a codec of the hemisphere for a map of all directions.
-fn check_space(input: &Path, codec: &AnyCodec, map: &NormalMap, is_object_space: bool) -> Result<()> {
-    match is_object_space && codec.domain == Domain::Hemisphere {
-        true => Err(Error::Usage(format!(
-            "{} is of object space: z < 0 in {} of {} texels, and {} is for z >= 0 only; take oct16p, for example",
-            input.display(),
-            space::count_below(map),
-            map.vectors.len(),
-            codec.id
-        ))),
-        false => Ok(()),
     }
 }
 
@@ -205,31 +180,22 @@ fn direction(arguments: &Arguments, source: &Source, is_object_space: bool) -> (
         }
         y => (y, None),
     };
-    (y.map(|y| if arguments.flip_y { y.turned() } else { y }), correlation)
+    let turned = |y: Y| if (y == Y::Up) == arguments.flip_y { Y::Down } else { Y::Up };
+    (y.map(turned), correlation)
 }
 
-/// What the output loses.
-fn warnings(kind: Kind, coding: Option<Coding>, source: &Source) -> Vec<String> {
-    let codec = coding.map(|coding| coding.codec);
-    let drops_alpha = kind != Kind::Png && coding.is_some_and(|coding| !coding.has_alpha());
-    let is_clamped = codec.is_some_and(|codec| codec.domain == Domain::Hemisphere);
+/// What the output loses, vectors below the equator among it, and a doubt of the input.
+fn warnings(kind: &str, coding: Option<Coding>, source: &Source, is_moved: bool) -> Vec<String> {
+    const ALPHA: &str = "alpha is dropped: take a codec with a channel to spare, such as hemioct24 or oct24p, or a texture of its own";
+    const BIASED: &str = "no x or y is below 0: if its values are biased, 0 to 1, save them as a png";
+    let has_alpha = kind == PNG || coding.is_none_or(|coding| coding.has_alpha());
     let is_positive = source.map.vectors.iter().all(|[x, y, _]| *x >= 0.0 && *y >= 0.0);
     let found = [
-        (
-            drops_alpha && source.map.alpha.is_some(),
-            "alpha is dropped: take a codec with a channel to spare, such as hemioct24 or oct24p, or a texture of its own",
-        ),
-        (is_clamped && space::count_below(&source.map) > 0, UPPER_ONLY),
-        (
-            is_positive && source.format.starts_with("exr") && source.lengths.is_some(),
-            "no x or y is below 0: if its values are biased, 0 to 1, save them as a png",
-        ),
+        (source.map.alpha.is_some() && !has_alpha, ALPHA),
+        (is_moved, UPPER_ONLY),
+        (is_positive && source.format.starts_with("exr") && source.lengths.is_some(), BIASED),
     ];
     found.into_iter().filter(|(is_found, _)| *is_found).map(|(_, words)| words.to_owned()).collect()
-}
-
-fn is_alpha(path: &Path) -> bool {
-    path == Path::new("alpha")
 }
 
 /// The levels, where they are written, or their roughness is.
@@ -238,7 +204,7 @@ fn levels(arguments: &Arguments, coding: Option<Coding>, map: &NormalMap) -> Res
         true => chain(map),
         false => Vec::new(),
     };
-    if arguments.roughness.as_deref().is_some_and(is_alpha) {
+    if arguments.roughness.as_ref().is_some_and(|path| path.as_os_str() == "alpha") {
         if map.alpha.is_some() || !arguments.mips || coding.is_none_or(|coding| !coding.has_alpha()) {
             let words = "--roughness alpha needs --mips, a map without alpha and a codec with a channel to spare, such as \
                 hemioct24; or name a file";
@@ -252,14 +218,14 @@ fn levels(arguments: &Arguments, coding: Option<Coding>, map: &NormalMap) -> Res
 /// The bytes of the output.
 fn file(
     arguments: &Arguments,
-    kind: Kind,
+    kind: &str,
     coding: Option<Coding>,
     map: &NormalMap,
     levels: &[Level],
     y: Option<Y>,
 ) -> Result<Vec<u8>> {
     let Some(coding) = coding else { return Ok(picture::write(map, arguments.bits)?) };
-    if kind == Kind::Png {
+    if kind == PNG {
         let kept = coding.unpack(&coding.pack(map), map.width, map.height);
         return Ok(picture::write(&NormalMap { alpha: map.alpha.clone(), ..kept }, arguments.bits)?);
     }
@@ -268,23 +234,20 @@ fn file(
         false => vec![coding.pack(map)],
     };
     let (codec, y) = (Some(coding.codec.id.to_owned()), y.map(|y| y.name().to_owned()));
-    kind.write(&Texture { format: coding.format, width: map.width, height: map.height, levels, codec, y })
+    write(kind, &Texture { format: coding.format, width: map.width, height: map.height, levels, codec, y })
 }
 
 /// The file of the roughness of all levels.
 fn roughness(path: &Path, levels: &[Level]) -> Result<Vec<u8>> {
-    let kind = Kind::of(path)?;
-    let maps: Vec<_> =
-        levels.iter().map(|level| (level.map.width, level.map.height, level.roughness())).collect();
-    let (Some(format), [(width, height, _), ..], true) =
-        (format::named("R8_UNORM"), &maps[..], kind != Kind::Png)
+    let (kind, format) = (kind_of(path)?, format::named("R8_UNORM"));
+    let (Some(format), Some(NormalMap { width, height, .. }), true) =
+        (format, levels.first().map(|level| &level.map), kind != PNG)
     else {
-        return Ok(picture::strip(&maps)?);
+        return Ok(picture::strip(levels)?);
     };
-    let (width, height) = (*width, *height);
-    let bytes = |numbers: &Vec<f32>| numbers.iter().map(|number| format.field_of(*number, 8) as u8).collect();
-    let levels = maps.iter().map(|(_, _, numbers)| bytes(numbers)).collect();
-    kind.write(&Texture { format, width, height, levels, codec: None, y: None })
+    let bytes = |level: &Level| level.roughness().iter().map(|it| format.field_of(*it, 8) as u8).collect();
+    let levels = levels.iter().map(bytes).collect();
+    write(kind, &Texture { format, width: *width, height: *height, levels, codec: None, y: None })
 }
 
 /// What was converted.
