@@ -62,6 +62,7 @@ mod suite;
 mod terminal;
 #[cfg(feature = "glsl")]
 mod textbook;
+mod texture;
 mod trig;
 mod unoptimised;
 mod uoct;

@@ -10,6 +10,7 @@ mod program;
 pub mod seeds;
 mod shapes;
 
+use image::ImageFormat;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestError, TestRunner};
 use std::cell::RefCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -27,6 +28,7 @@ use unitvec_mesh as mesh;
 use unitvec_mesh::edit::{Change, edit};
 use unitvec_mesh::{FileFormat, Reach};
 use unitvec_run::backend::Cpu;
+use unitvec_texture::{dds, ktx2};
 use unitvec_vulkan::check_spirv;
 
 /// Inputs of the ordinary tests.
@@ -63,6 +65,9 @@ const ZEROS: usize = (12 + 24 + 12) << 16;
 /// The instructions of a module of the largest size that mutations make, twice, and the names of all functions.
 const INSTRUCTIONS: usize = 1 << 21;
 
+/// The pixels, twice, that a picture of the largest size can hold before it is refused: a byte stands for 1032 at most.
+const PICTURE: usize = 2 * 1032 * mutate::MOST;
+
 /// The stream's buffers, which are of fixed size: elements, and codes twice.
 const CHUNKS: usize = 40 << 20;
 
@@ -87,12 +92,17 @@ macro_rules! targets {
 }
 
 targets! {
-    obj: OBJ = "a.obj", seeds::obj, read_mesh, 14.0, FIXED + REFUSED;
-    ply_ascii: PLY_ASCII = "ascii.ply", || seeds::ply(seeds::PLY_FORMATS[0]), read_mesh, 14.0, FIXED + LIST + REFUSED;
-    ply_little_endian: PLY_LITTLE = "little.ply", || seeds::ply(seeds::PLY_FORMATS[1]), read_mesh, 14.0, FIXED + LIST + REFUSED;
-    ply_big_endian: PLY_BIG = "big.ply", || seeds::ply(seeds::PLY_FORMATS[2]), read_mesh, 14.0, FIXED + LIST + REFUSED;
-    gltf: GLTF = "a.gltf", seeds::gltf, read_mesh, 14.0, FIXED + ZEROS;
-    glb: GLB = "a.glb", seeds::glb, read_mesh, 14.0, FIXED + ZEROS;
+    obj: OBJ = "a.obj", seeds::obj, read_mesh, 12.0, FIXED + REFUSED;
+    ply_ascii: PLY_ASCII = "ascii.ply", || seeds::ply(seeds::PLY_FORMATS[0]), read_mesh, 12.0, FIXED + LIST + REFUSED;
+    ply_little_endian: PLY_LITTLE = "little.ply", || seeds::ply(seeds::PLY_FORMATS[1]), read_mesh, 12.0, FIXED + LIST + REFUSED;
+    ply_big_endian: PLY_BIG = "big.ply", || seeds::ply(seeds::PLY_FORMATS[2]), read_mesh, 12.0, FIXED + LIST + REFUSED;
+    gltf: GLTF = "a.gltf", seeds::gltf, read_mesh, 12.0, FIXED + ZEROS;
+    glb: GLB = "a.glb", seeds::glb, read_mesh, 12.0, FIXED + ZEROS;
+    png: PNG = "a.png", || seeds::picture(ImageFormat::Png), read_texture, 2.5, FIXED + PICTURE;
+    tga: TGA = "a.tga", || seeds::picture(ImageFormat::Tga), read_texture, 2.5, FIXED + PICTURE;
+    exr: EXR = "a.exr", || seeds::picture(ImageFormat::OpenExr), read_texture, 2.5, FIXED + PICTURE;
+    ktx2: KTX2 = "a.ktx2", || seeds::textures(|texture| Ok(ktx2::write(texture))), read_texture, 2.5, FIXED;
+    dds: DDS = "a.dds", || seeds::textures(dds::write), read_texture, 2.0, FIXED;
     raw: RAW = "a.f32", seeds::raw, encode_raw, 0.5, FIXED + CHUNKS;
     codes: CODES = "a.codes", seeds::raw, decode_codes, 0.5, FIXED + CHUNKS;
     costs: COSTS = "costs.json", seeds::costs, read_costs, 2.5, FIXED;
@@ -267,6 +277,12 @@ fn read_mesh(path: &Path, input: &[u8]) -> Result<usize, String> {
     }
     assert!(mesh.parts.iter().all(|part| part.first + part.count <= mesh.normals.len()));
     Ok(mesh.normals.len())
+}
+
+fn read_texture(path: &Path, input: &[u8]) -> Result<usize, String> {
+    let map = unitvec_texture::read(path, input, None).map_err(text)?.map;
+    assert_eq!(map.vectors.len(), map.width as usize * map.height as usize);
+    Ok(map.vectors.len())
 }
 
 fn encode_raw(path: &Path, input: &[u8]) -> Result<usize, String> {

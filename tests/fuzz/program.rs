@@ -1,8 +1,8 @@
 //! Some hundreds of the fuzz inputs through the program itself.
 
 use super::{
-    CODES, COSTS, GLB, GLTF, MANIFEST, MODULE, OBJ, PLY_ASCII, PLY_BIG, PLY_LITTLE, RAW, SHADER, Target,
-    keep, mutate, names, prepare,
+    CODES, COSTS, DDS, EXR, GLB, GLTF, KTX2, MANIFEST, MODULE, OBJ, PLY_ASCII, PLY_BIG, PLY_LITTLE, PNG, RAW,
+    SHADER, TGA, Target, keep, mutate, names, prepare,
 };
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngSeed, TestRunner};
@@ -66,6 +66,11 @@ fn meshes() {
         run(&target, "normals --frames --json - IN OUT");
         run(&target, "snap --for oct16 IN OUT");
     }
+}
+
+#[test]
+fn textures() {
+    [PNG, TGA, EXR, KTX2, DDS].iter().for_each(|target| run(target, "error --codec oct16 IN"));
 }
 
 #[test]

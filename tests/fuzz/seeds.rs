@@ -2,13 +2,17 @@
 
 use crate::link;
 use base64::Engine;
+use image::{DynamicImage, ImageFormat, Rgb, RgbImage};
 use std::fmt::Write;
+use std::io::Cursor;
 use unitvec_catalogue::find;
 use unitvec_host::container::Header;
 use unitvec_host::raw::Npy;
 use unitvec_manifest::Manifest;
 use unitvec_manifest::modules::Modules;
 use unitvec_tests::repository;
+use unitvec_texture::block::Compression;
+use unitvec_texture::{Coding, NormalMap, Texture};
 
 /// Vertices a side of the grid that all meshes are.
 pub const SIDE: usize = 5;
@@ -199,6 +203,39 @@ pub fn glb_of(json: &str, bin: &[u8]) -> Vec<u8> {
     };
     let body = [chunk(b"JSON", json.as_bytes(), b' '), chunk(b"BIN\0", bin, 0)].concat();
     [b"glTF".as_slice(), &2u32.to_le_bytes(), &(body.len() as u32 + 12).to_le_bytes(), &body].concat()
+}
+
+/// Pictures of colours, with alpha where the format has it as bytes, and of grey.
+pub fn picture(format: ImageFormat) -> Vec<Vec<u8>> {
+    let side = SIDE as u32;
+    let colors = RgbImage::from_fn(side, side, |x, y| Rgb([30 * x as u8, 40 * y as u8, 250]));
+    let colors = DynamicImage::from(colors);
+    let images = match format {
+        ImageFormat::OpenExr => [colors.to_rgb32f().into(), colors.to_rgba32f().into()],
+        _ => [colors.to_rgba8().into(), colors.to_luma8().into()],
+    };
+    let saved = |image: DynamicImage| {
+        let mut file = Cursor::new(Vec::new());
+        image.write_to(&mut file, format).unwrap();
+        file.into_inner()
+    };
+    images.map(saved).into()
+}
+
+/// Textures of components, of codes and of blocks.
+pub fn textures(write: fn(&Texture) -> unitvec_texture::Result<Vec<u8>>) -> Vec<Vec<u8>> {
+    let (side, vectors) = (SIDE as u32, vertices(SIDE).map(|[_, _, _, x, y, z]| [x, -y, z]).collect());
+    let map = NormalMap { width: side, height: side, vectors, alpha: None };
+    let coding = |id| Coding::of(find(id).unwrap(), false).unwrap();
+    let blocks = Coding::compressed(find("oct16").unwrap(), Compression::Bc7).unwrap();
+    let file = |(coding, codec): (Coding, Option<&str>)| {
+        let levels = vec![coding.pack(&map), vec![0; 2 * coding.format.bytes()]];
+        let codec = codec.map(str::to_owned);
+        write(&Texture { format: coding.format, width: side, height: side, levels, codec, y: None }).unwrap()
+    };
+    let codings =
+        [(coding("unorm8x3"), None), (coding("hemioct16"), Some("hemioct16")), (blocks, Some("oct16"))];
+    codings.map(file).into()
 }
 
 /// Raw floats, or codes: anything whose length is that of whole elements.

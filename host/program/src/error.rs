@@ -13,6 +13,9 @@ pub enum Error {
     /// A mesh cannot be used.
     #[error(transparent)]
     Mesh(#[from] unitvec_mesh::MeshError),
+    /// A texture cannot be read or written.
+    #[error(transparent)]
+    Texture(#[from] unitvec_texture::Error),
     /// A backend failed, or a codec or device is unknown.
     #[error(transparent)]
     Run(#[from] unitvec_run::Error),
@@ -38,10 +41,10 @@ pub enum Error {
     /// The options do not go together.
     #[error("{0}")]
     Usage(String),
-    /// A file that is no mesh and does not have the name of raw floats.
+    /// A file that is neither a mesh nor a texture and does not have the name of raw floats.
     #[error(
-        "{} is neither a mesh (.obj, .ply, .gltf, .glb) nor named as raw f32 (.{}); export it as .glb or .obj, or, if it is \
-         raw f32, add --raw",
+        "{} is neither a mesh (.obj, .ply, .gltf, .glb), nor a texture (.png, .tga, .exr, .ktx2, .dds), nor named as raw f32 \
+         (.{}); export it as .glb or .obj, or, if it is raw f32, add --raw",
         .path.display(),
         input::RAW_ENDINGS.join(", .")
     )]
@@ -155,6 +158,7 @@ impl Error {
         match self {
             Self::Usage(_) | Self::UnknownInput { .. } | Self::TextInput { .. } => true,
             Self::Files(error) => error.is_usage(),
+            Self::Texture(error) => error.is_usage(),
             Self::Run(error) => error.is_usage(),
             Self::Choose(unitvec_choose::Error::UnknownGpu { .. }) => true,
             #[cfg(feature = "render")]

@@ -1,4 +1,4 @@
-//! Input files, and their contents: a mesh, raw floats, or unknown.
+//! Input files, and their contents: a mesh, a texture, raw floats, or unknown.
 
 use crate::container::{self, Header};
 use crate::raw::{Dtype, Npy, swap_if_big_endian};
@@ -6,10 +6,11 @@ use crate::{Error, Result};
 use std::fmt;
 use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
-use unitvec_catalogue::Element;
+use unitvec_catalogue::{AnyCodec, Element};
 use unitvec_files::shown;
 use unitvec_mesh as mesh;
 use unitvec_mesh::{FileFormat, Frames, Mesh, MeshError, Part, Reach, Rotations};
+use unitvec_texture::Source;
 
 /// Endings of files that hold raw floats.
 pub const RAW_ENDINGS: [&str; 3] = ["bin", "f32", "raw"];
@@ -57,6 +58,7 @@ pub struct Input {
     /// Bytes read of it.
     read: u64,
     mesh: Option<FileFormat>,
+    is_texture: bool,
     array: bool,
     container: bool,
     is_text: bool,
@@ -76,9 +78,21 @@ impl Input {
         let (mesh, is_text) = (FileFormat::of(path, &head), is_text(&head));
         let is_broken_text = mesh.is_some_and(|format| format.is_text(&head)) && head.contains(&0);
         let (array, container) = (head.starts_with(Npy::MAGIC), head.starts_with(container::MAGIC));
+        let (is_texture, path) =
+            (mesh.is_none() && unitvec_texture::kind(path, &head).is_some(), path.to_owned());
         let reader = Box::new(Cursor::new(head).chain(reader));
-        let path = path.to_owned();
-        Ok(Self { path, reader, length, read: 0, mesh, array, container, is_text, is_broken_text })
+        Ok(Self {
+            path,
+            reader,
+            length,
+            read: 0,
+            mesh,
+            is_texture,
+            array,
+            container,
+            is_text,
+            is_broken_text,
+        })
     }
 
     /// The format of the mesh in the file, if it holds one.
@@ -137,7 +151,7 @@ impl Input {
     fn check(&self) -> Result<()> {
         let path = || self.path.clone();
         match self.mesh {
-            _ if self.array => Ok(()),
+            _ if self.array || self.is_texture => Ok(()),
             None if self.container || !self.is_raw() => Err(Error::UnknownInput { path: path() }),
             None if self.is_text => Err(Error::TextInput { path: path() }),
             _ => Ok(()),
@@ -175,10 +189,25 @@ impl Input {
         if format == FileFormat::Gltf && self.length.is_some_and(|length| length > MOST_OF_GLTF) {
             return Err(io::Error::other("it is longer than glTF can be"));
         }
+        self.read_whole()
+    }
+
+    fn read_whole(&mut self) -> io::Result<Vec<u8>> {
         let mut bytes = Vec::new();
         bytes.try_reserve_exact(self.length.and_then(|length| length.try_into().ok()).unwrap_or(0))?;
         self.read_to_end(&mut bytes)?;
         Ok(bytes)
+    }
+
+    /// Reads the whole input as a texture, of codes of this codec if one is given.
+    ///
+    /// # Errors
+    /// Errors of reading, and of [`unitvec_texture::read`].
+    pub fn texture(mut self, codec: Option<&'static AnyCodec>) -> Result<Source> {
+        // What is no texture is refused without its bytes.
+        let bytes = if self.is_texture { self.read_whole() } else { Ok(Vec::new()) };
+        let bytes = bytes.map_err(|source| self.error(source))?;
+        Ok(unitvec_texture::read(&self.path, &bytes, codec)?)
     }
 
     /// The number of elements of so many bytes, if it is known.
@@ -208,7 +237,7 @@ impl Read for Input {
     }
 }
 
-/// Vectors or frames to encode: those of a mesh, or raw ones.
+/// Vectors or frames to encode: those of a mesh or a texture, or raw ones.
 pub struct Elements {
     /// Little-endian f32. Computed normals without a direction are zero.
     pub floats: Box<dyn Read>,
@@ -232,7 +261,7 @@ pub struct Kind {
 }
 
 impl Elements {
-    /// Opens a file or, with `-`, the standard input: as a mesh or a NumPy array where it is one, as raw floats where
+    /// Opens a file or, with `-`, the standard input: as a mesh, a texture or a NumPy array where it is one, as raw floats where
     /// [`Input::is_raw`]. With [`Kind::raw`], as raw floats in any case.
     ///
     /// # Errors
@@ -242,7 +271,7 @@ impl Elements {
         let mut input = Input::open(path)?;
         if !kind.raw {
             input.check()?;
-            if kind.dtype.is_some() && (input.array || input.mesh.is_some()) {
+            if kind.dtype.is_some() && (input.array || input.mesh.is_some() || input.is_texture) {
                 let words = format!(
                     "{} tells the kind of its floats; leave --dtype out, or add --raw",
                     path.display()
@@ -254,6 +283,17 @@ impl Elements {
                 let count = input.expect(count, element.floats() * dtype.bytes, element.plural())?;
                 return Ok(Self { floats: dtype.as_f32(input), count, parts: None, is_guess: false });
             }
+        }
+        if input.is_texture && !kind.raw {
+            if element != Element::Vector {
+                return Err(Error::Usage(format!(
+                    "{} holds vectors, no {}",
+                    path.display(),
+                    element.plural()
+                )));
+            }
+            let vectors = input.texture(None)?.map.vectors;
+            return Ok(Self { parts: None, ..Self::of_mesh(vectors, Vec::new()) });
         }
         match (input.mesh.filter(|_| !kind.raw), element) {
             (None, _) => {

@@ -28,6 +28,7 @@ mod shader;
 mod snap;
 mod summary;
 mod table;
+mod texture;
 
 #[cfg(feature = "render")]
 use clap::Arg;
@@ -103,7 +104,14 @@ enum Command {
     /// each by themselves; a codec of frames moves them together.
     #[command(after_help = examples::of("snap"))]
     Snap(snap::Arguments),
-    /// Measure the errors of codecs over the vectors or frames of your own meshes and raw files.
+    /// Convert normal maps (png, tga, exr, ktx2, dds) to textures of codes (ktx2, dds), and back (png).
+    ///
+    /// Vectors are normalised; texels without a direction become +Z. Pngs, tgas and UNORM formats are taken as biased, -1 to 1
+    /// by 0 to 1; exrs, float and SNORM formats are not. The summary says whether the map is of tangent or of object space,
+    /// whether y points up or down, and how far the vectors that were written are from those that were read.
+    #[command(after_help = examples::of("texture"))]
+    Texture(texture::Arguments),
+    /// Measure the errors of codecs over the vectors or frames of your own meshes, normal maps and raw files.
     ///
     /// For each file and codec, and for all files together: mean, median, 99th percentile and maximum of the angles
     /// between the vectors and what they are decoded to, in degrees, and the vector with the largest, counted from 0:
@@ -163,6 +171,7 @@ impl Arguments {
             Command::Decode(arguments) => convert::decode(&arguments),
             Command::Normals(arguments) => convert::normals(&arguments),
             Command::Snap(arguments) => snap::run(&arguments),
+            Command::Texture(arguments) => texture::run(&arguments),
             Command::Error(arguments) => error::run(&arguments),
             #[cfg(feature = "lab")]
             Command::Accuracy(arguments) => accuracy::run(&arguments),

@@ -1,6 +1,6 @@
 //! `unitvec schema`: the JSON schemas of what the commands write with `--json`.
 
-use super::{choose, print, snap, summary, to_json};
+use super::{choose, print, snap, summary, texture, to_json};
 use clap::Args;
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
@@ -24,6 +24,7 @@ const SCHEMAS: &[Described] = &[
     ("decode", of::<summary::Reports>),
     ("normals", of::<summary::Reports>),
     ("snap", of::<summary::Reports<snap::Summary>>),
+    ("texture", of::<summary::Reports<texture::Summary>>),
     ("error", of::<loss::Report>),
     ("choose", of::<choose::Report>),
     #[cfg(feature = "lab")]
