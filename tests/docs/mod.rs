@@ -20,6 +20,7 @@ mod pictures;
 mod processors;
 mod projected;
 mod prose;
+mod seen;
 mod slices;
 mod stubs;
 mod tables;

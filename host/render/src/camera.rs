@@ -31,6 +31,14 @@ impl Camera {
         Self { eye, right, up, forward, tangent, size }
     }
 
+    /// The direction of unit length in which the centre of a pixel is seen.
+    pub(super) fn ray(&self, [column, row]: [u32; 2]) -> DVec3 {
+        let place = |pixel: u32, pixels: u32| (2.0 * f64::from(pixel) + 1.0) / f64::from(pixels) - 1.0;
+        let x = self.tangent * self.aspect() * place(column, self.size.width);
+        let y = -self.tangent * place(row, self.size.height);
+        (self.forward + self.right * x + self.up * y).normalize()
+    }
+
     fn aspect(&self) -> f64 {
         f64::from(self.size.width) / f64::from(self.size.height)
     }
@@ -81,6 +89,9 @@ mod tests {
                 });
                 let vector = |v: [f32; 4]| DVec3::new(v[0].into(), v[1].into(), v[2].into());
                 let ray = vector(rays.forward) + vector(rays.right) * x + vector(rays.up) * y;
+                if offset == [0.0; 2] {
+                    assert!(camera.ray(pixel.map(|at| at as u32)).distance(ray.normalize()) < 1e-6);
+                }
                 let clip = camera.clip_from_world(offset) * (camera.eye + ray * 7.0).extend(1.0);
                 let drawn = [
                     (clip.x / clip.w * 0.5 + 0.5) * f64::from(size.width),
