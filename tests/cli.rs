@@ -271,6 +271,34 @@ fn choose_weighs_names_misses_and_takes_frames() {
     );
 }
 
+/// What is seen limits the error, by the closed forms of a matt surface in light and of a mirror, and with other limits the least
+/// counts.
+#[test]
+fn choose_goes_by_what_is_seen() {
+    let error = |line: &str| json(&format!("{line} --json -"))["unseen"]["max_error_deg"].as_f64().unwrap();
+    let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-6;
+    assert!(near(error("choose --color-depth 8 --linear"), (0.5f64 / 255.0).to_degrees()));
+    assert!(near(error("choose --mirror --pixels 500 --fov 90"), (1.0f64 / 2000.0).to_degrees()));
+    let sharp = error("choose --color-depth 8 --roughness 0.1");
+    assert!(sharp < error("choose --color-depth 8 --roughness 0.1 --light-degrees 5"));
+    let report = json("choose --color-depth 8 --linear --max-error 0.05 --json -");
+    assert_eq!(report["candidates"], json("choose --max-error 0.05 --json -")["candidates"]);
+    let text = printed("choose --color-depth 8 --linear --mirror --gpu rdna3 --bits 32");
+    assert!(text.contains("not seen: errors up to 0.0115 degrees, by the mirror; "), "{text}");
+    for (line, words) in [
+        ("choose --color-depth 0", "1..=32"),
+        ("choose --color-depth 8 --roughness 0", "not a number from 0.01 to 1"),
+        ("choose --color-depth 8 --roughness nan", "not a number from 0.01 to 1"),
+        ("choose --roughness 0.1 --bits 16", "--color-depth <BITS>"),
+        ("choose --mirror --fov 180", "not a number from 0.1 to 179"),
+        ("choose --mirror --pixels 0", "0 is not in 1"),
+    ] {
+        let output = run(line.split(' '));
+        assert_eq!(output.status.code(), Some(2), "{line}");
+        assert!(stderr(&output).contains(words), "{line}");
+    }
+}
+
 /// The costs of RDNA 2 are those to choose by where nothing else is named.
 #[test]
 fn choose_takes_the_costs_of_a_gpu() {

@@ -22,6 +22,7 @@ mod pictures;
 mod processors;
 mod projected;
 mod prose;
+mod seen;
 mod slices;
 mod stubs;
 mod tables;

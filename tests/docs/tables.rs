@@ -3,7 +3,7 @@
 use super::accuracy::{self, Errors};
 use super::{
     blocks, compare, costs, devices, dither, drivers, filtering, formats, imprecise, interop, languages,
-    markdown_table, orders, papers, pictures, processors, projected, slices, textbook,
+    markdown_table, orders, papers, pictures, processors, projected, seen, slices, textbook,
 };
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -66,6 +66,7 @@ pub fn table(name: &str) -> Option<String> {
         "languages-barriers" => languages::barriers(),
         "processors" => processors::table(),
         "projected" => projected::table(),
+        "seen" => seen::table(),
         "slices" => slices::table(rest),
         "textbook" => textbook::table(),
         "textbook-input" => textbook::input_table(),

@@ -1,9 +1,10 @@
-//! Chooses codecs: their costs on GPUs, and those that satisfy a demand at the least cost.
+//! Chooses codecs: their costs on GPUs, the precision that is seen, and those that satisfy a demand at the least cost.
 
 #![deny(unsafe_code)]
 
 pub mod costs;
 mod error;
+pub mod seen;
 
 pub use costs::REFERENCE;
 pub use error::{Error, Result};

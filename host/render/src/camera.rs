@@ -43,6 +43,17 @@ impl Camera {
         Self { part: [[x.0, y.0], [x.1, y.1]], ..self }
     }
 
+    /// The direction of unit length in which the centre of a pixel is seen.
+    pub(super) fn ray(&self, [column, row]: [u32; 2]) -> DVec3 {
+        let place = |pixel: u32, pixels: u32, axis: usize| {
+            let [middle, half] = self.part.map(|part| part[axis]);
+            middle + half * ((2.0 * f64::from(pixel) + 1.0) / f64::from(pixels) - 1.0)
+        };
+        let x = self.tangent * self.aspect() * place(column, self.size.width, 0);
+        let y = -self.tangent * place(row, self.size.height, 1);
+        (self.forward + self.right * x + self.up * y).normalize()
+    }
+
     fn aspect(&self) -> f64 {
         f64::from(self.size.width) / f64::from(self.size.height)
     }
@@ -99,9 +110,14 @@ mod tests {
         };
         let closer = camera.closer([100, 50, 160, 90]);
         assert!(ray(closer, [0.0, 360.0], [0.0; 2]).distance(ray(camera, [100.0, 140.0], [0.0; 2])) < 1e-6);
-        for (camera, offset) in [(camera, [0.0, 0.0]), (camera, [0.25, -0.375]), (closer, [0.25, -0.375])] {
+        for (camera, offset) in
+            [(camera, [0.0, 0.0]), (closer, [0.0, 0.0]), (camera, [0.25, -0.375]), (closer, [0.25, -0.375])]
+        {
             for pixel in [[320.5, 180.5], [10.5, 20.5], [600.5, 300.5]] {
                 let ray = ray(camera, pixel, offset);
+                if offset == [0.0; 2] {
+                    assert!(camera.ray(pixel.map(|at| at as u32)).distance(ray.normalize()) < 1e-6);
+                }
                 let clip = camera.clip_from_world(offset) * (camera.eye + ray * 7.0).extend(1.0);
                 let drawn = [
                     (clip.x / clip.w * 0.5 + 0.5) * f64::from(size.width),

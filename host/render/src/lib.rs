@@ -6,6 +6,7 @@
 //!
 //! * [`conform`]: shows that every codec goes through the graphics pipeline unchanged.
 //! * [`figures`]: pictures of codecs. [`report`]: one page of tables and pictures.
+//! * [`visible`]: how far pictures show the errors of codecs.
 
 #![deny(unsafe_code)]
 
@@ -23,6 +24,7 @@ pub mod shaders;
 mod shapes;
 mod storage;
 mod variant;
+pub mod visible;
 
 pub use error::{Error, Result};
 pub use picture::{Picture, Size};

@@ -32,7 +32,7 @@ pub(super) const FLOATS: [ImageFormat; 2] = [ImageFormat::R32G32B32A32_SFLOAT; 2
 pub struct Renderer {
     pub(super) graphics: Arc<Graphics>,
     pub(super) shaders: Shaders,
-    size: Size,
+    pub(super) size: Size,
     samples: u32,
     bodies: Vec<Body>,
     meshes: HashMap<String, Vec<Mesh>>,

@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_catalogue::Element;
 use unitvec_choose::costs::USUAL;
+use unitvec_choose::seen::{Colour, Lobe, least_bits, mirror_error_deg};
 use unitvec_choose::{Answer, Candidate, Costs, Demand, Limit, Miss, choose, degrees};
 use unitvec_files::{read_small, shown};
 use unitvec_host::Result;
@@ -15,7 +16,8 @@ use unitvec_host::Result;
 pub struct Arguments {
     /// Largest error that is allowed for any direction, in degrees. Codecs of few bytes come first; with --bits alone, those of
     /// the least bound.
-    #[arg(long, value_name = "DEG", allow_negative_numbers = true, value_parser = number_of_degrees, required_unless_present = "bits")]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true, value_parser = number_of_degrees,
+          required_unless_present_any = ["bits", "color_depth", "mirror"])]
     max_error: Option<f64>,
     /// Largest mean error that is allowed, in degrees; besides --max-error or --bits.
     #[arg(long, value_name = "DEG", allow_negative_numbers = true, value_parser = number_of_degrees)]
@@ -23,6 +25,8 @@ pub struct Arguments {
     /// Most bits of a code.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     bits: Option<u32>,
+    #[command(flatten)]
+    sight: Sight,
     /// Codecs of tangent frames instead of vectors. Of the errors of normal and tangent the greater counts.
     #[arg(long)]
     frames: bool,
@@ -50,6 +54,64 @@ pub struct Arguments {
     wide: Wide,
 }
 
+/// What is seen of an error.
+#[derive(Args)]
+#[command(next_help_heading = "What is seen")]
+struct Sight {
+    /// Bits of a picture's colours: no error may change one by half a step, on a matt surface or, with --roughness, in a highlight.
+    #[arg(long, value_name = "BITS", value_parser = clap::value_parser!(u32).range(1..=32))]
+    color_depth: Option<u32>,
+    /// Steps that are equal in light. If not given they are equal on the curve of sRGB, where the dark has finer ones.
+    #[arg(long, requires = "color_depth")]
+    linear: bool,
+    /// Roughness of a highlight by GGX.
+    #[arg(long, value_name = "R", allow_negative_numbers = true, requires = "color_depth", value_parser = within(0.01, 1.0))]
+    roughness: Option<f64>,
+    /// Diameter of the light, which blurs the highlight: 0.5 for the sun.
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true, requires = "roughness", default_value_t = 0.0, value_parser = within(0.0, 180.0))]
+    light_degrees: f64,
+    /// Light in the middle of the highlight, as a multiple of white.
+    #[arg(long, value_name = "P", allow_negative_numbers = true, requires = "roughness", default_value_t = 1.0, value_parser = within(0.01, 1e6))]
+    peak: f64,
+    /// A flat mirror: no error may move what it shows by half a pixel.
+    #[arg(long)]
+    mirror: bool,
+    /// Height of the mirror's picture in pixels.
+    #[arg(long, value_name = "N", requires = "mirror", default_value_t = 1080, value_parser = clap::value_parser!(u32).range(1..))]
+    pixels: u32,
+    /// Field of view over that height, in degrees.
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true, requires = "mirror", default_value_t = 60.0, value_parser = within(0.1, 179.0))]
+    fov: f64,
+}
+
+/// The largest error that is not seen.
+#[derive(serde::Serialize, schemars::JsonSchema)]
+struct Unseen {
+    /// The error in degrees.
+    max_error_deg: f64,
+    /// What would show a larger one first: `matt surface`, `highlight` or `mirror`.
+    of: &'static str,
+    /// Bits that no code with this error has fewer than, if discs could pack the sphere (Meyer et al. 2010, eq. 1).
+    least_bits: f64,
+}
+
+impl Sight {
+    /// `None` where neither colours nor a mirror are named.
+    fn unseen(&self) -> Option<Unseen> {
+        let colour = self.color_depth.map(|bits| Colour { bits, is_linear: self.linear });
+        let highlight = |roughness| Lobe::Ggx { roughness, light_degrees: self.light_degrees };
+        let (lobe, peak) = (self.roughness.map(highlight), self.peak);
+        let errors = [
+            ("matt surface", colour.map(|colour| Lobe::Lambert.max_error_deg(1.0, colour))),
+            ("highlight", lobe.zip(colour).map(|(lobe, colour)| lobe.max_error_deg(peak, colour))),
+            ("mirror", self.mirror.then(|| mirror_error_deg(self.pixels, self.fov))),
+        ];
+        let errors = errors.into_iter().filter_map(|(of, error)| Some((of, error?)));
+        let (of, max_error_deg) = errors.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        Some(Unseen { max_error_deg, of, least_bits: least_bits(max_error_deg) })
+    }
+}
+
 const SHOWN: usize = 8;
 
 /// The codecs that meet a demand.
@@ -59,6 +121,8 @@ pub struct Report {
     costs_of: String,
     /// Weights of encoding and of decoding in the cost.
     weights: [f64; 2],
+    /// The largest error that is not seen, where colours or a mirror are named.
+    unseen: Option<Unseen>,
     /// Why the first is the choice, or why there is none.
     reason: String,
     #[serde(flatten)]
@@ -70,13 +134,15 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         Some(path) => Costs::parse(path, &read_small(path)?)?,
         None => Costs::shipped(&arguments.gpu)?,
     };
+    let unseen = arguments.sight.unseen();
+    let errors = [arguments.max_error, unseen.as_ref().map(|unseen| unseen.max_error_deg)];
     let demand = Demand {
         element: match (arguments.frames, arguments.rotations) {
             (true, _) => Element::Frame,
             (_, true) => Element::Rotation,
             _ => Element::Vector,
         },
-        max_error_deg: arguments.max_error,
+        max_error_deg: errors.into_iter().flatten().reduce(f64::min),
         mean_error_deg: arguments.mean_error,
         bits: arguments.bits,
         no_table: arguments.no_table,
@@ -86,7 +152,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let columns = arguments.wide.columns()?;
     let answer = choose(&demand, &costs);
     let reason = reason(&demand, &answer);
-    let report = Report { costs_of: costs.device().to_owned(), weights: demand.weights, reason, answer };
+    let costs_of = costs.device().to_owned();
+    let report = Report { costs_of, weights: demand.weights, unseen, reason, answer };
     let status = arguments.json.write_or_print(&report, || text(&report, &demand, columns))?;
     Ok(if report.answer.candidates.is_empty() { ExitCode::FAILURE } else { status })
 }
@@ -95,6 +162,13 @@ fn number_of_degrees(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(degrees) if degrees > 0.0 => Ok(degrees),
         _ => Err("not a number of degrees above 0".to_owned()),
+    }
+}
+
+fn within(least: f64, most: f64) -> impl Fn(&str) -> Result<f64, String> + Clone {
+    move |text| match text.parse() {
+        Ok(number) if (least..=most).contains(&number) => Ok(number),
+        _ => Err(format!("not a number from {least} to {most}")),
     }
 }
 
@@ -173,8 +247,8 @@ fn cost(cost: Option<f64>) -> String {
 }
 
 fn text(report: &Report, demand: &Demand, columns: Option<usize>) -> String {
-    let Report { costs_of, weights: [encode, decode], reason, answer: Answer { candidates, misses } } =
-        report;
+    let Report { costs_of, weights: [encode, decode], unseen, reason, answer } = report;
+    let Answer { candidates, misses } = answer;
     let (mut text, layout) = (String::new(), layout(columns));
     if !candidates.is_empty() {
         let first = if demand.max_error_deg.is_some() { "bytes" } else { "bound" };
@@ -186,6 +260,13 @@ fn text(report: &Report, demand: &Demand, columns: Option<usize>) -> String {
         text = wrapped(&legend, "", columns) + "\n" + &table(candidates, &layout);
     }
     // Writing to a String cannot fail.
+    if let Some(Unseen { max_error_deg, of, least_bits }) = unseen {
+        let limit = degrees(*max_error_deg);
+        let words = format!(
+            "not seen: errors up to {limit} degrees, by the {of}; codes of {least_bits:.1} bits could have so little"
+        );
+        let _ = write!(text, "\n{}", wrapped(&words, "", columns));
+    }
     let _ = writeln!(text, "\n{}", wrapped(reason, "", columns));
     if !candidates.is_empty() && !misses.is_empty() {
         let _ = writeln!(text, "{}", wrapped(&format!("near misses: {}", named(misses)), "", columns));

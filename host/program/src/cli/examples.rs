@@ -35,6 +35,8 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
     ("choose", "choose --bits 24", "least bound first"),
     ("choose", "choose --max-error 0.05 --weights 0,1", "decoding counts alone"),
     ("choose", "choose --bits 16 --hemisphere --gpu rdna3", "costs on RDNA 3"),
+    ("choose", "choose --color-depth 8 --roughness 0.3", "what is not seen"),
+    ("choose", "choose --mirror --pixels 2160 --fov 40", "sharp reflections"),
     ("figures", "figures --only 1,8 --small", "two figures, in figures/"),
     ("figures", "figures --codec oct16,ico16 -o compared", "with codecs of your own"),
     ("report", "report -o report.html", "all on one page"),
