@@ -68,6 +68,7 @@ mod uoct;
 mod vectors;
 mod widths;
 mod wrappers;
+mod write;
 
 /// Shown as ignored where the tests of the GLSL are not compiled.
 #[cfg(not(feature = "glsl"))]

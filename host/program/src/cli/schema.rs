@@ -24,6 +24,7 @@ const SCHEMAS: &[Described] = &[
     ("decode", of::<summary::Reports>),
     ("normals", of::<summary::Reports>),
     ("snap", of::<summary::Reports<snap::Summary>>),
+    ("write", of::<summary::Reports>),
     ("error", of::<loss::Report>),
     ("choose", of::<choose::Report>),
     #[cfg(feature = "lab")]
