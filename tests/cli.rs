@@ -97,12 +97,18 @@ fn schemas_describe_what_is_written() {
     let [codes, back, mesh] = ["codes", "back", "two.gltf"].map(|name| folder.path().join(name));
     std::fs::write(&mesh, two_meshes()).unwrap();
     let (codes, back, mesh) = (path(&codes), path(&back), path(&mesh));
+    let bunny = repository().join("host/mesh/data/bunny.obj");
     let mut commands = vec![
         ("codecs", String::new()),
         ("encode", format!("--codec hemioct16 {mesh} {codes}")),
         ("decode", format!("--codec oct16 {codes} {back}")),
         ("normals", format!("{mesh} {back}")),
         ("snap", format!("--for oct16 {mesh} {back}")),
+        ("write", format!("--normals {mesh} {mesh} {back}")),
+        (
+            "compare",
+            format!("--codec oct16 --view 1,0,0 --side 64 --samples 1 -o {back} {}", bunny.display()),
+        ),
         ("error", format!("--codec oct16 {mesh}")),
         ("error", format!("--codec vector32 {mesh}")),
         ("choose", "--bits 16".into()),

@@ -7,6 +7,7 @@ mod c_abi;
 mod caps;
 mod cli;
 mod client;
+mod compare;
 mod components;
 #[cfg(feature = "glsl")]
 mod conformance;

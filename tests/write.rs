@@ -58,11 +58,11 @@ fn decoded_vectors_go_back() {
 #[test]
 fn refusals() {
     let mesh = obj(&frames()).remove(0).1;
-    let [fewer, codes, quats] = [raw(&[0.6; 39 * 3]), vec![0; 41 * 2], vec![0; 40 * 4]];
+    let [floats, codes, quats] = [raw(&[0.6; 42 * 3]), vec![0; 41 * 2], vec![0; 40 * 4]];
     let files: [(&str, &[u8]); 4] =
-        [("a.obj", &mesh), ("codes", &codes), ("f.f32", &fewer), ("quats", &quats)];
+        [("a.obj", &mesh), ("codes", &codes), ("f.f32", &floats), ("quats", &quats)];
     for (line, status, words) in [
-        ("write a.obj --normals f.f32 b.obj", 2, ["a.obj has 40 normals", "f.f32 39"]),
+        ("write a.obj --normals f.f32 b.obj", 2, ["a.obj has 40 normals", "f.f32 42"]),
         ("decode --codec oct16 --into a.obj codes b.obj", 2, ["a.obj has 40 normals", "codes 41"]),
         ("decode --codec quat32 --into a.obj quats b.obj", 2, ["quats has rotations", "a mesh has none"]),
         ("write a.obj --normals f.f32 a.obj", 2, ["a.obj is the input", "another name"]),

@@ -22,8 +22,8 @@ use unitvec::direction::{is_usable, l1_norm};
 use unitvec_files::one_line;
 
 pub use format::FileFormat;
-pub use obj::{parse as read_obj, parse_surface as read_obj_surface};
-pub use shape::{Generated, Shape, parse_shapes};
+pub use obj::parse as read_obj;
+pub use shape::{Generated, Shape};
 
 /// The Stanford bunny as OBJ: the mesh that conformance runs and pictures take.
 pub const BUNNY: &[u8] = include_bytes!("../data/bunny.obj");
@@ -309,6 +309,27 @@ pub fn parse_frames(
     }
 }
 
+/// Reads the shapes of a mesh file in memory, as [`parse`] does its normals: one of OBJ and PLY; of glTF one for
+/// each set of accessors of positions, normals and texture coordinates, with the triangles of all primitives that have it.
+///
+/// The vertices of OBJ are the different corners `v/vt/vn` in the order in which faces first use them.
+///
+/// # Errors
+///
+/// The errors of [`parse`], and [`MeshError::NoSurface`] where there is no triangle.
+pub fn parse_shapes(
+    path: &Path,
+    format: FileFormat,
+    bytes: &[u8],
+    reach: Reach,
+) -> Result<Vec<Shape>, MeshError> {
+    match format {
+        FileFormat::Obj => Ok(vec![obj::parse_shape(path, bytes)?.0]),
+        FileFormat::Ply => Ok(vec![ply::parse_shape(path, bytes)?.0]),
+        FileFormat::Gltf => gltf::shape::parse_shapes(path, bytes, reach),
+    }
+}
+
 /// Reads the rotations of the animations of a file in memory, as [`parse`] does its normals.
 ///
 /// # Errors
@@ -324,14 +345,6 @@ pub fn parse_rotations(
         FileFormat::Gltf => gltf::parse_rotations(path, bytes, reach),
         FileFormat::Obj | FileFormat::Ply => Err(MeshError::NoRotations { path: path.into() }),
     }
-}
-
-/// The surface that the faces of a mesh span.
-pub struct Surface {
-    /// The positions of the vertices.
-    pub positions: Vec<[f32; 3]>,
-    /// Three positions each, all of them there.
-    pub triangles: Vec<[u32; 3]>,
 }
 
 /// The [`Mesh`] of a file with one list of normals.

@@ -3,10 +3,7 @@
 //! The parser is our own, over the file's bytes: crates for it keep 40 bytes for a corner that takes two in the file.
 
 use super::format::without_mark;
-use super::{
-    Fan, Mesh, MeshError, Positions, Shape, Sums, Surface, check_finite, list_of, one_part, parse_error,
-    resolve,
-};
+use super::{Fan, Mesh, MeshError, Positions, Shape, Sums, check_finite, list_of, one_part, parse_error};
 use glam::Vec3;
 use std::collections::HashMap;
 use std::path::Path;
@@ -46,23 +43,6 @@ pub fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
     let mut sums = Sums::new(path, Positions::Single(positions));
     each_triangle(path, bytes, |triangle| sums.add(triangle))?;
     sums.into_mesh()
-}
-
-/// Reads positions and triangles of OBJ text in memory, in the order of [`read_obj`](crate::read_obj)'s computed normals.
-///
-/// # Errors
-///
-/// The errors of [`read_obj`](crate::read_obj).
-pub fn parse_surface(path: &Path, bytes: &[u8]) -> Result<Surface, MeshError> {
-    let vertices = lines(bytes).filter(|line| line.keyword == b"v");
-    let positions = vertices.map(|line| line.vector(path)).collect::<Result<Vec<_>, _>>()?;
-    let mut triangles = Vec::new();
-    each_triangle(path, bytes, |triangle| {
-        let vertices = positions.len().min(u32::MAX as usize);
-        triangles.push(resolve(path, triangle, vertices)?.map(|corner| corner as u32));
-        Ok(())
-    })?;
-    Ok(Surface { positions, triangles })
 }
 
 /// Reads the vertices, different corners `v/vt/vn`, and triangles of OBJ text; true where its normals are computed. A corner

@@ -1,6 +1,6 @@
 //! Meshes as renderers take them, and tangents for their vertices.
 
-use crate::{FileFormat, Frames, MeshError, Part, Positions, Reach, Sums, gltf, list_of, obj, ply};
+use crate::{Frames, MeshError, Part, Positions, Sums, list_of};
 use glam::Vec3;
 use std::collections::HashMap;
 use std::path::Path;
@@ -16,27 +16,6 @@ pub struct Shape {
     pub texture: Vec<[f32; 2]>,
     /// Three vertices each, all of them there.
     pub triangles: Vec<[u32; 3]>,
-}
-
-/// Reads the shapes of a mesh file in memory, as [`parse`](crate::parse) does its normals: one of OBJ and PLY; of glTF one for
-/// each set of accessors of positions, normals and texture coordinates, with the triangles of all primitives that have it.
-///
-/// The vertices of OBJ are the different corners `v/vt/vn` in the order in which faces first use them.
-///
-/// # Errors
-///
-/// The errors of [`parse`](crate::parse), and [`MeshError::NoSurface`] where there is no triangle.
-pub fn parse_shapes(
-    path: &Path,
-    format: FileFormat,
-    bytes: &[u8],
-    reach: Reach,
-) -> Result<Vec<Shape>, MeshError> {
-    match format {
-        FileFormat::Obj => Ok(vec![obj::parse_shape(path, bytes)?.0]),
-        FileFormat::Ply => Ok(vec![ply::parse_shape(path, bytes)?.0]),
-        FileFormat::Gltf => gltf::shape::parse_shapes(path, bytes, reach),
-    }
 }
 
 /// The frames of a file with one shape, whose normals may be computed.
@@ -187,7 +166,7 @@ impl bevy_mikktspace::Geometry for Corners<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{parse, parse_frames};
+    use crate::{FileFormat, Reach, parse, parse_frames, parse_shapes};
     use glam::DVec3;
     use std::fmt::Write;
 

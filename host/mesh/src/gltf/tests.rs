@@ -219,7 +219,7 @@ fn frames_from_texture_coordinates() {
     let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     let positions = floats(&square.map(|[x, y]| [x, y, 0.0f32]));
     let indices: Vec<u8> = [0u16, 1, 2, 0, 2, 3].into_iter().flat_map(u16::to_le_bytes).collect();
-    let buffer = [positions, floats(&square.map(|uv| uv.map(|c| c as f32))), indices].concat();
+    let buffer = [positions, floats(&square), indices].concat();
     let primitive =
         |indices| format!(r#"{{"attributes":{{"POSITION":0,"TEXCOORD_0":1}},"indices":{indices}}}"#);
     let document = |kind: &str| {

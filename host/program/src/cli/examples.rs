@@ -34,6 +34,8 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
     ("choose", "choose --bits 24", "least bound first"),
     ("choose", "choose --max-error 0.05 --weights 0,1", "decoding counts alone"),
     ("choose", "choose --bits 16 --hemisphere --gpu rdna3", "costs on RDNA 3"),
+    ("compare", "compare --codec oct16,oct24p bunny.glb", "from the worst view"),
+    ("compare", "compare --codec oct16 --ply heat.ply a.obj", "a heat map"),
     ("figures", "figures --only 1,8 --small", "two figures, in figures/"),
     ("figures", "figures --codec oct16,ico16 -o compared", "with codecs of your own"),
     ("report", "report -o report.html", "all on one page"),

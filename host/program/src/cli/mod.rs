@@ -7,6 +7,8 @@ mod bench;
 mod beside;
 mod choose;
 mod codecs;
+#[cfg(feature = "render")]
+mod compare;
 #[cfg(feature = "lab")]
 mod compiler;
 mod conform;
@@ -138,6 +140,13 @@ enum Command {
     /// Find the cheapest codecs of vectors that meet a demand: --max-error, --bits or both.
     #[command(after_help = examples::of("choose"))]
     Choose(choose::Arguments),
+    /// Show your own mesh with its normals and with those that codecs decode to, on one page.
+    ///
+    /// For a mirror, a gloss and a matt surface: before and after, to slide between, the difference, and the error over the
+    /// surface as a heat map; with the errors of `unitvec error`. Node transforms, skins and normal maps are not applied.
+    #[cfg(feature = "render")]
+    #[command(after_help = examples::of("compare"), mut_args = hide_modules, mut_arg("samples", |one| one.default_value("3")))]
+    Compare(compare::Arguments),
     /// Draw the figures of the survey and of Meyer et al., error maps and charts, with their numbers.
     #[cfg(feature = "render")]
     #[command(after_help = examples::of("figures"), mut_args = hide_modules)]
@@ -184,6 +193,8 @@ impl Arguments {
             #[cfg(feature = "lab")]
             Command::Bench(arguments) => bench::run(&arguments),
             Command::Choose(arguments) => choose::run(&arguments),
+            #[cfg(feature = "render")]
+            Command::Compare(arguments) => compare::run(&arguments),
             #[cfg(feature = "render")]
             Command::Figures(arguments) => figures::run(&arguments),
             #[cfg(feature = "render")]

@@ -26,6 +26,8 @@ const SCHEMAS: &[Described] = &[
     ("snap", of::<summary::Reports<snap::Summary>>),
     ("write", of::<summary::Reports>),
     ("error", of::<loss::Report>),
+    #[cfg(feature = "render")]
+    ("compare", of::<loss::Report>),
     ("choose", of::<choose::Report>),
     #[cfg(feature = "lab")]
     ("accuracy", of::<super::accuracy::Report>),

@@ -9,6 +9,7 @@ mod earlier;
 mod errors;
 mod figure;
 mod latlong;
+pub mod model;
 mod paint;
 mod pictures;
 mod points;
