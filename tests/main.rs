@@ -7,6 +7,7 @@ mod c_abi;
 mod caps;
 mod cli;
 mod client;
+mod compare;
 mod components;
 #[cfg(feature = "glsl")]
 mod conformance;
@@ -69,6 +70,7 @@ mod uoct;
 mod vectors;
 mod widths;
 mod wrappers;
+mod write;
 
 /// Shown as ignored where the tests of the GLSL are not compiled.
 #[cfg(not(feature = "glsl"))]

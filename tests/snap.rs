@@ -13,7 +13,7 @@ use unitvec_tests::names;
 use unitvec_tests::program::{command, raw, stderr, stdout};
 
 /// Frames, one without a direction, one with NaN, and one without a tangent.
-fn frames() -> Vec<[f32; 7]> {
+pub fn frames() -> Vec<[f32; 7]> {
     let mut frames: Vec<[f32; 7]> = sampling::random_frames(7).take(40).collect();
     frames[3][..3].fill(0.0);
     frames[5][1] = f32::NAN;
@@ -83,7 +83,7 @@ fn document(frames: &[[f32; 7]], uri: &str) -> (String, Vec<u8>) {
 }
 
 /// Files of the same name, the first of which names the others.
-type Files = Vec<(&'static str, Vec<u8>)>;
+pub type Files = Vec<(&'static str, Vec<u8>)>;
 
 fn glb(frames: &[[f32; 7]]) -> Files {
     let (json, buffer) = document(frames, "");
@@ -102,7 +102,7 @@ fn outside(frames: &[[f32; 7]]) -> Files {
     vec![("a.gltf", json.into()), ("b/a b.bin", buffer), ("p.png", b"png".to_vec())]
 }
 
-fn obj(frames: &[[f32; 7]]) -> Files {
+pub fn obj(frames: &[[f32; 7]]) -> Files {
     let line = |[x, y, z, ..]: &[f32; 7]| format!("v 1.0 2 3\r\n  vn\t{x} {y}  {z} 1 # n\r\n");
     let lines: String = frames.iter().map(line).collect();
     vec![("a.obj", [b"\xef\xbb\xbf# caf\xe9\n", lines.as_bytes(), b"f 1//1 2//2 3//3"].concat())]
@@ -136,15 +136,15 @@ fn ply(format: &str, frames: &[[f32; 7]], kind: &str) -> Files {
 }
 
 /// Makes a container of frames.
-type Make = Box<dyn Fn(&[[f32; 7]]) -> Files>;
+pub type Make = Box<dyn Fn(&[[f32; 7]]) -> Files>;
 
-fn containers() -> Vec<Make> {
+pub fn containers() -> Vec<Make> {
     let plys = PLY_FORMATS.into_iter().flat_map(|format| ["float", "double"].map(|kind| (format, kind)));
     let plys = plys.map(|(format, kind)| -> Make { Box::new(move |frames| ply(format, frames, kind)) });
     [glb, inside, outside, obj].into_iter().map(|make| -> Make { Box::new(make) }).chain(plys).collect()
 }
 
-fn write(folder: &Path, files: &Files) {
+pub fn write(folder: &Path, files: &Files) {
     for (name, content) in files {
         std::fs::create_dir_all(folder.join(name).parent().unwrap()).unwrap();
         std::fs::write(folder.join(name), content).unwrap();
@@ -152,7 +152,7 @@ fn write(folder: &Path, files: &Files) {
 }
 
 /// Runs a line in a folder. Returns the standard error of a success.
-fn succeeds(folder: &Path, line: &str) -> String {
+pub fn succeeds(folder: &Path, line: &str) -> String {
     let output = command(line.split(' ')).current_dir(folder).output().unwrap();
     assert!(output.status.success(), "{line}: {}", stderr(&output));
     stderr(&output) + &stdout(&output)

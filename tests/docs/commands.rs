@@ -11,11 +11,12 @@ const NAMES: [(&str, &str); 4] =
     [("NAME", "lavapipe"), ("FILE", "out.json"), ("FOLDER", "out"), ("COMMAND", "choose")];
 
 /// Options that make a line short.
-const SHORTER: [(&str, &[&str]); 4] = [
+const SHORTER: [(&str, &[&str]); 5] = [
     ("unitvec conform", &["--codec oct16", "--count 256"]),
     ("unitvec bench device", &["--codec oct32", "--count 100", "--samples 1"]),
     ("unitvec bench compiler", &["--codec oct32"]),
     ("unitvec figures", &["--only 2", "--small"]),
+    ("unitvec compare", &["--side 64", "--samples 1"]),
 ];
 
 /// Lines that something else runs: how they begin, and what does.

@@ -59,6 +59,9 @@ const REFUSED: usize = (12 + 24) * (mutate::MOST / 3);
 /// The memory that the parser of PLY prepares for a list, whatever the list then holds.
 const LIST: usize = 8 << 16;
 
+/// Triangles of the shortest lines of a file of the largest size, in MikkTSpace and in the lists around it.
+const TANGENTS: usize = 1024 * (mutate::MOST / 8);
+
 /// The zeros where glTF gives no bytes for an accessor: positions, sums and normals of 2^16 vertices.
 const ZEROS: usize = (12 + 24 + 12) << 16;
 
@@ -92,12 +95,12 @@ macro_rules! targets {
 }
 
 targets! {
-    obj: OBJ = "a.obj", seeds::obj, read_mesh, 12.0, FIXED + REFUSED;
-    ply_ascii: PLY_ASCII = "ascii.ply", || seeds::ply(seeds::PLY_FORMATS[0]), read_mesh, 12.0, FIXED + LIST + REFUSED;
-    ply_little_endian: PLY_LITTLE = "little.ply", || seeds::ply(seeds::PLY_FORMATS[1]), read_mesh, 12.0, FIXED + LIST + REFUSED;
-    ply_big_endian: PLY_BIG = "big.ply", || seeds::ply(seeds::PLY_FORMATS[2]), read_mesh, 12.0, FIXED + LIST + REFUSED;
-    gltf: GLTF = "a.gltf", seeds::gltf, read_mesh, 12.0, FIXED + ZEROS;
-    glb: GLB = "a.glb", seeds::glb, read_mesh, 12.0, FIXED + ZEROS;
+    obj: OBJ = "a.obj", seeds::obj, read_mesh, 14.0, FIXED + REFUSED + TANGENTS;
+    ply_ascii: PLY_ASCII = "ascii.ply", || seeds::ply(seeds::PLY_FORMATS[0]), read_mesh, 14.0, FIXED + LIST + REFUSED + TANGENTS;
+    ply_little_endian: PLY_LITTLE = "little.ply", || seeds::ply(seeds::PLY_FORMATS[1]), read_mesh, 14.0, FIXED + LIST + REFUSED + TANGENTS;
+    ply_big_endian: PLY_BIG = "big.ply", || seeds::ply(seeds::PLY_FORMATS[2]), read_mesh, 14.0, FIXED + LIST + REFUSED + TANGENTS;
+    gltf: GLTF = "a.gltf", seeds::gltf, read_mesh, 14.0, FIXED + ZEROS + TANGENTS;
+    glb: GLB = "a.glb", seeds::glb, read_mesh, 14.0, FIXED + ZEROS + TANGENTS;
     png: PNG = "a.png", || seeds::picture(ImageFormat::Png), read_texture, 2.5, FIXED + PICTURE;
     tga: TGA = "a.tga", || seeds::picture(ImageFormat::Tga), read_texture, 2.5, FIXED + PICTURE;
     exr: EXR = "a.exr", || seeds::picture(ImageFormat::OpenExr), read_texture, 2.5, FIXED + PICTURE;
@@ -255,12 +258,15 @@ fn text(error: impl std::fmt::Display) -> String {
     error.to_string()
 }
 
-/// Normals, frames and rotations, read; the normals turned round. The number is that of the normals.
+/// Normals, frames, shapes and rotations, read; the normals turned round. The number is that of the normals.
 fn read_mesh(path: &Path, input: &[u8]) -> Result<usize, String> {
     let Some(format) = FileFormat::of(path, input) else {
         return Err(format!("{} lost its format", path.display()));
     };
     if let Err(error) = mesh::parse_frames(path, format, input, Reach::Folder) {
+        check_message(&error.to_string(), path)?;
+    }
+    if let Err(error) = mesh::parse_shapes(path, format, input, Reach::Folder) {
         check_message(&error.to_string(), path)?;
     }
     match mesh::parse_rotations(path, format, input, Reach::Folder) {

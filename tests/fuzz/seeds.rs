@@ -29,7 +29,7 @@ fn triangles(side: usize) -> impl Iterator<Item = [usize; 3]> {
     corners.flat_map(move |k| [[k, k + 1, k + side], [k + 1, k + side + 1, k + side]])
 }
 
-/// Computed normals; normals of the file, and every kind of index; lines and names of other kinds.
+/// Computed normals; normals of the file, and every kind of index; lines and names of other kinds; texture coordinates.
 pub fn obj() -> Vec<Vec<u8>> {
     let mut bare = String::from("# grid\no first\n");
     for [x, y, z, ..] in vertices(SIDE) {
@@ -42,7 +42,12 @@ pub fn obj() -> Vec<Vec<u8>> {
     }
     let others = "\u{feff}mtllib a.mtl\r\ng a b\r\nv 1 0 0 1 1 1\r\nv 0 1 0\r\nv 0 0 1\r\nvt 0 0\r\ns 1\r\nusemtl red\r\n\
         f 1/1 2/1 3/1\r\nf -3 -2 -1 -2\r\nl 1 2\r\n";
-    [bare.as_str(), &with_normals, others].map(|text| text.as_bytes().to_vec()).into()
+    let mut with_texture: String =
+        vertices(SIDE).map(|[x, y, z, ..]| format!("v {x} {y} {z}\nvt {x} {y}\n")).collect();
+    for [a, b, c] in triangles(SIDE).map(|triangle| triangle.map(|corner| corner + 1)) {
+        writeln!(with_texture, "f {a}/{a} {b}/{b} {c}/{c}").unwrap();
+    }
+    [bare.as_str(), &with_normals, others, &with_texture].map(|text| text.as_bytes().to_vec()).into()
 }
 
 /// Number formats of PLY's three encodings.
@@ -100,8 +105,11 @@ pub fn ply(format: &str) -> Vec<Vec<u8>> {
     let face = "face\nproperty list uchar int vertex_indices\n";
     let other =
         ("edge\nproperty list uchar float w\n", vec![vec![number!(2u8), number!(0.5f32), number!(1.5f32)]]);
+    let textured = vertices(SIDE).map(|[x, y, z, ..]| [x, y, z, x, y].map(|c| number!(c)).to_vec()).collect();
+    let texture = format!("{vertex}property float s\nproperty float t\n");
     vec![
-        ply_of(format, &[(&vertex, positions.clone()), (face, faces), other.clone()]),
+        ply_of(format, &[(&vertex, positions.clone()), (face, faces.clone()), other.clone()]),
+        ply_of(format, &[(&texture, textured), (face, faces)]),
         ply_of(
             format,
             &[
@@ -156,19 +164,21 @@ fn document(primitives: &str, uri: &str) -> String {
         {{"bufferView":0,"componentType":5123,"count":{corners},"type":"SCALAR"}},{},{},{},
         {{"componentType":5126,"count":{vertices},"type":"VEC3","sparse":{{"count":2,
         "indices":{{"bufferView":0,"componentType":5123}},"values":{{"bufferView":2}}}}}},
-        {{"bufferView":1,"componentType":5120,"normalized":true,"count":{vertices},"type":"VEC3"}}]}}"#,
+        {{"bufferView":1,"componentType":5120,"normalized":true,"count":{vertices},"type":"VEC3"}},
+        {{"bufferView":1,"componentType":5126,"count":{vertices},"type":"VEC2"}}]}}"#,
         vector(1, "VEC3"),
         vector(2, "VEC3"),
         vector(3, "VEC4"),
     )
 }
 
-/// Computed normals, frames, strips and fans, sparse and quantised normals.
-const PRIMITIVES: [&str; 4] = [
+/// Computed normals, frames, strips and fans, sparse and quantised normals, texture coordinates.
+const PRIMITIVES: [&str; 5] = [
     r#"{"attributes":{"POSITION":1},"indices":0}"#,
     r#"{"attributes":{"POSITION":1,"NORMAL":2,"TANGENT":3},"indices":0}"#,
     r#"{"attributes":{"POSITION":1},"indices":0,"mode":5},{"attributes":{"POSITION":1},"mode":6}"#,
     r#"{"attributes":{"POSITION":1,"NORMAL":4}},{"attributes":{"POSITION":1,"NORMAL":5}}"#,
+    r#"{"attributes":{"POSITION":1,"NORMAL":2,"TEXCOORD_0":6},"indices":0}"#,
 ];
 
 /// The file beside the glTF files, in which some of their buffers lie.

@@ -1,4 +1,4 @@
-//! Vertex normals from mesh files: Wavefront OBJ, PLY and glTF 2.0; from the latter tangent frames and the rotations of
+//! Vertex normals and tangent frames from mesh files: Wavefront OBJ, PLY and glTF 2.0; from the latter the rotations of
 //! animations as well.
 //!
 //! A file's own vertex normals are passed on as they are, NaN included (but the PLY parser refuses `nan` and `inf` in
@@ -11,6 +11,7 @@ mod format;
 mod gltf;
 mod obj;
 mod ply;
+mod shape;
 
 use glam::{DVec3, Vec3};
 use std::fmt::Display;
@@ -21,7 +22,8 @@ use unitvec::direction::{is_usable, l1_norm};
 use unitvec_files::one_line;
 
 pub use format::FileFormat;
-pub use obj::{parse as read_obj, parse_surface as read_obj_surface};
+pub use obj::parse as read_obj;
+pub use shape::{Generated, Shape};
 
 /// The Stanford bunny as OBJ: the mesh that conformance runs and pictures take.
 pub const BUNNY: &[u8] = include_bytes!("../data/bunny.obj");
@@ -77,13 +79,17 @@ impl Mesh {
     }
 }
 
-/// Tangent frames of a glTF file, in the order of [`Mesh`]; each pair of accessors comes once.
+/// Tangent frames. Of glTF in the order of [`Mesh`], each pair of accessors once; of OBJ and PLY those of a [`Shape`]'s vertices.
+///
+/// Where a file has no tangents, or a primitive none, texture coordinates give them, by MikkTSpace.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frames {
     /// Normal, tangent and handedness of each vertex, as the file has them.
     pub frames: Vec<[f32; 7]>,
     /// The ranges of the frames of each primitive.
     pub parts: Vec<Part>,
+    /// The number of tangents that the file did not have.
+    pub generated: Generated,
 }
 
 /// Rotations of the animations of a glTF file, as unit quaternions x, y, z, w: animation by animation in file order, sampler by
@@ -162,6 +168,12 @@ pub enum MeshError {
         /// The mesh file.
         path: PathBuf,
     },
+    /// No face, where surfaces or tangents are wanted.
+    #[error("{path} has no faces, and points alone have no surface; export the mesh with faces")]
+    NoSurface {
+        /// The mesh file.
+        path: PathBuf,
+    },
     /// A coordinate is NaN, infinite or beyond the range of `f32`.
     #[error("vertex {vertex} of {path} is not finite; remove or repair the vertex")]
     NotFinite {
@@ -180,14 +192,14 @@ pub enum MeshError {
         /// Number of vertices.
         vertices: usize,
     },
-    /// A file without tangents for all of its vertices; OBJ and PLY have none at all.
+    /// A file without tangents for all of its vertices, which texture coordinates do not give either.
     #[error(
         "{path} does not give each vertex a normal and a tangent{lacking}; export it as .gltf or .glb with tangents"
     )]
     NoTangents {
         /// The mesh file.
         path: PathBuf,
-        /// The first primitive without them, after ": "; empty where no primitive has any.
+        /// The first primitive without them, or what else is in the way; empty where no primitive has any.
         lacking: String,
     },
     /// A file without animations that rotate; OBJ and PLY have none at all.
@@ -283,7 +295,7 @@ pub fn parse(path: &Path, format: FileFormat, bytes: &[u8], reach: Reach) -> Res
 ///
 /// # Errors
 ///
-/// The errors of [`parse`]; [`MeshError::NoTangents`] for a file without tangents.
+/// The errors of [`parse`]; [`MeshError::NoTangents`] for a file that has neither tangents nor texture coordinates.
 pub fn parse_frames(
     path: &Path,
     format: FileFormat,
@@ -292,9 +304,29 @@ pub fn parse_frames(
 ) -> Result<Frames, MeshError> {
     match format {
         FileFormat::Gltf => gltf::parse_frames(path, bytes, reach),
-        FileFormat::Obj | FileFormat::Ply => {
-            Err(MeshError::NoTangents { path: path.into(), lacking: String::new() })
-        }
+        FileFormat::Obj => shape::one_part(path, obj::parse_shape(path, bytes)?),
+        FileFormat::Ply => shape::one_part(path, ply::parse_shape(path, bytes)?),
+    }
+}
+
+/// Reads the shapes of a mesh file in memory, as [`parse`] does its normals: one of OBJ and PLY; of glTF one for
+/// each set of accessors of positions, normals and texture coordinates, with the triangles of all primitives that have it.
+///
+/// The vertices of OBJ are the different corners `v/vt/vn` in the order in which faces first use them.
+///
+/// # Errors
+///
+/// The errors of [`parse`], and [`MeshError::NoSurface`] where there is no triangle.
+pub fn parse_shapes(
+    path: &Path,
+    format: FileFormat,
+    bytes: &[u8],
+    reach: Reach,
+) -> Result<Vec<Shape>, MeshError> {
+    match format {
+        FileFormat::Obj => Ok(vec![obj::parse_shape(path, bytes)?.0]),
+        FileFormat::Ply => Ok(vec![ply::parse_shape(path, bytes)?.0]),
+        FileFormat::Gltf => gltf::shape::parse_shapes(path, bytes, reach),
     }
 }
 
@@ -313,14 +345,6 @@ pub fn parse_rotations(
         FileFormat::Gltf => gltf::parse_rotations(path, bytes, reach),
         FileFormat::Obj | FileFormat::Ply => Err(MeshError::NoRotations { path: path.into() }),
     }
-}
-
-/// The surface that the faces of a mesh span.
-pub struct Surface {
-    /// The positions of the vertices.
-    pub positions: Vec<[f32; 3]>,
-    /// Three positions each, all of them there.
-    pub triangles: Vec<[u32; 3]>,
 }
 
 /// The [`Mesh`] of a file with one list of normals.

@@ -3,10 +3,9 @@
 //! The parser is our own, over the file's bytes: crates for it keep 40 bytes for a corner that takes two in the file.
 
 use super::format::without_mark;
-use super::{
-    Fan, Mesh, MeshError, Positions, Sums, Surface, check_finite, list_of, one_part, parse_error, resolve,
-};
+use super::{Fan, Mesh, MeshError, Positions, Shape, Sums, check_finite, list_of, one_part, parse_error};
 use glam::Vec3;
+use std::collections::HashMap;
 use std::path::Path;
 use std::str::FromStr;
 
@@ -46,21 +45,54 @@ pub fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
     sums.into_mesh()
 }
 
-/// Reads positions and triangles of OBJ text in memory, in the order of [`read_obj`](crate::read_obj)'s computed normals.
-///
-/// # Errors
-///
-/// The errors of [`read_obj`](crate::read_obj).
-pub fn parse_surface(path: &Path, bytes: &[u8]) -> Result<Surface, MeshError> {
-    let vertices = lines(bytes).filter(|line| line.keyword == b"v");
-    let positions = vertices.map(|line| line.vector(path)).collect::<Result<Vec<_>, _>>()?;
-    let mut triangles = Vec::new();
-    each_triangle(path, bytes, |triangle| {
-        let vertices = positions.len().min(u32::MAX as usize);
-        triangles.push(resolve(path, triangle, vertices)?.map(|corner| corner as u32));
-        Ok(())
-    })?;
-    Ok(Surface { positions, triangles })
+/// Reads the vertices, different corners `v/vt/vn`, and triangles of OBJ text; true where its normals are computed. A corner
+/// without a normal gets zero where others have one.
+pub(super) fn parse_shape(path: &Path, bytes: &[u8]) -> Result<(Shape, bool), MeshError> {
+    let Mesh { normals, parts } = parse(path, bytes)?;
+    let computed = parts.iter().any(|part| part.computed);
+    let of = |keyword: &'static [u8]| lines(bytes).filter(move |line: &Line| line.keyword == keyword);
+    let positions = of(b"v").map(|line| line.vector(path)).collect::<Result<Vec<_>, _>>()?;
+    let texture = of(b"vt").map(|line| line.pair(path)).collect::<Result<Vec<_>, _>>()?;
+    let (mut shape, mut places, mut counts) = (Shape::default(), HashMap::new(), [0; 3]);
+    let mut has_texture = true;
+    for line in lines(bytes) {
+        match line.keyword {
+            b"v" => counts[0] += 1,
+            b"vt" => counts[1] += 1,
+            b"vn" => counts[2] += 1,
+            b"f" => {
+                let mut fan = Fan::default();
+                for word in line.words() {
+                    let [at, coordinate, normal] = line.corners(path, word, counts)?;
+                    let normal = if computed { at } else { normal };
+                    let vertex = *places.entry([at, coordinate, normal]).or_insert(shape.positions.len());
+                    if vertex == shape.positions.len() {
+                        shape.positions.push(of_list(path, &positions, at)?.unwrap_or_default());
+                        shape.normals.push(of_list(path, &normals, normal)?.unwrap_or_default());
+                        let coordinate = of_list(path, &texture, coordinate)?;
+                        has_texture &= coordinate.is_some();
+                        shape.texture.push(coordinate.unwrap_or_default());
+                    }
+                    if let Some(triangle) = fan.push(vertex as i64) {
+                        shape.triangles.push(triangle.map(|corner| corner as u32));
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    if !has_texture {
+        shape.texture = Vec::new();
+    }
+    Ok((shape.with_normals(path)?, computed))
+}
+
+/// The element that a corner names, if it names one.
+fn of_list<T: Copy>(path: &Path, list: &[T], index: Option<i64>) -> Result<Option<T>, MeshError> {
+    let Some(index) = index else { return Ok(None) };
+    let found = usize::try_from(index).ok().and_then(|index| list.get(index));
+    let error = || MeshError::IndexOutOfRange { path: path.into(), index, vertices: list.len() };
+    found.copied().map(Some).ok_or_else(error)
 }
 
 fn each_triangle(
@@ -75,7 +107,8 @@ fn each_triangle(
             b"f" => {
                 let mut fan = Fan::default();
                 for word in line.words() {
-                    let triangle = fan.push(line.corner(path, word, vertices)?);
+                    let [corner, ..] = line.corners(path, word, [vertices, 0, 0])?;
+                    let triangle = corner.and_then(|corner| fan.push(corner));
                     triangle.map_or(Ok(()), &mut each)?;
                 }
             }
@@ -120,14 +153,28 @@ impl<'b> Line<'b> {
         }
     }
 
-    /// The position's index in a corner of a face, `2`, `2/1` or `2/1/3`, counted from 0.
-    fn corner(&self, path: &Path, word: &[u8], vertices: i64) -> Result<i64, MeshError> {
-        let position = word.split(|byte| *byte == b'/').next();
-        match position.and_then(number::<i64>) {
-            None | Some(0) => Err(self.error(path, "corners, which are counted from 1")),
-            Some(index) if index < 0 => Ok(vertices.saturating_add(index)),
-            Some(index) => Ok(index - 1),
+    /// The first two words as numbers: texture coordinates.
+    fn pair(&self, path: &Path) -> Result<[f32; 2], MeshError> {
+        let mut numbers = self.words().map_while(number);
+        let pair = numbers.next().zip(numbers.next());
+        pair.map(|(u, v)| [u, v]).ok_or_else(|| self.error(path, "two numbers"))
+    }
+
+    /// The indices of position, texture coordinates and normal in a corner of a face, `2`, `2/1`, `2//3` or `2/1/3`, counted
+    /// from 0, where there are so many of each. Of the latter two none is read where there is none.
+    fn corners(&self, path: &Path, word: &[u8], counts: [i64; 3]) -> Result<[Option<i64>; 3], MeshError> {
+        let mut words = word.split(|byte| *byte == b'/');
+        let mut indices = [None; 3];
+        for (at, index) in indices.iter_mut().enumerate() {
+            let word = words.next().filter(|word| at == 0 || (!word.is_empty() && counts[at] > 0));
+            *index = match word.map(number::<i64>) {
+                None => None,
+                Some(None | Some(0)) => return Err(self.error(path, "corners, which are counted from 1")),
+                Some(Some(index)) if index < 0 => Some(counts[at].saturating_add(index)),
+                Some(Some(index)) => Some(index - 1),
+            };
         }
+        Ok(indices)
     }
 
     fn error(&self, path: &Path, expected: &str) -> MeshError {

@@ -10,7 +10,9 @@ use ply_rs_bw::ply::{
 
 use glam::DVec3;
 
-use super::{Fan, Mesh, MeshError, Positions, Sums, check_finite, list_of, one_part, parse_error};
+use super::{
+    Fan, Mesh, MeshError, Positions, Shape, Sums, check_finite, list_of, one_part, parse_error, resolve,
+};
 
 pub(super) const FORMAT: &str = "PLY";
 
@@ -32,7 +34,7 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
             ("vertex", Source::Normals) => normals = read_normals(&mut payload, element)?,
             ("vertex", Source::Faces) => sums = Some(Sums::new(path, read_positions(&mut payload, element)?)),
             ("face", Source::Faces) => match &mut sums {
-                Some(sums) => add_faces(&mut payload, element, sums)?,
+                Some(sums) => each_triangle(&mut payload, element, |triangle| sums.add(triangle))?,
                 None => {
                     faces_before = Some((payload.clone(), element));
                     payload.skip(element)?;
@@ -45,10 +47,46 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
         return one_part(path, normals, false);
     };
     if let Some((mut payload, element)) = faces_before {
-        add_faces(&mut payload, element, &mut sums)?;
+        each_triangle(&mut payload, element, |triangle| sums.add(triangle))?;
     }
     sums.into_mesh()
 }
+
+/// Reads the vertices and triangles of a PLY file; true where its normals are computed. Texture coordinates are those of
+/// vertices.
+pub(super) fn parse_shape(path: &Path, bytes: &[u8]) -> Result<(Shape, bool), MeshError> {
+    let (header, mut payload) = Payload::after_header(path, bytes)?;
+    check_counts(path, &header, bytes.len())?;
+    let source = Source::of(&header).ok_or_else(|| MeshError::NoFaces { path: path.into() })?;
+    let (mut shape, mut faces) = (Shape::default(), None);
+    for (name, element) in &header.elements {
+        if name != "vertex" {
+            faces = if name == "face" { Some((payload.clone(), element)) } else { faces };
+            payload.skip(element)?;
+            continue;
+        }
+        let has = |names: &[&str; 2]| names.iter().all(|name| element.properties.contains_key(*name));
+        let has_texture = COORDINATES.iter().any(has);
+        for vertex in 0..element.count {
+            let Vertex { position, normal, texture } = payload.next(element)?;
+            check_finite(path, vertex, position)?;
+            shape.positions.push(position.as_vec3().to_array());
+            shape.normals.extend((source == Source::Normals).then_some(normal));
+            shape.texture.extend(has_texture.then_some(texture));
+        }
+    }
+    if let Some((mut payload, element)) = faces {
+        let vertices = shape.positions.len();
+        each_triangle(&mut payload, element, |triangle| {
+            shape.triangles.push(resolve(path, triangle, vertices)?.map(|corner| corner as u32));
+            Ok(())
+        })?;
+    }
+    Ok((shape.with_normals(path)?, source == Source::Faces))
+}
+
+/// The property names in use for texture coordinates.
+const COORDINATES: [[&str; 2]; 3] = [["s", "t"], ["u", "v"], ["texture_u", "texture_v"]];
 
 /// The data below the header, as far as it is not read.
 #[derive(Clone)]
@@ -196,7 +234,7 @@ impl Source {
 fn read_normals(payload: &mut Payload, element: &ElementDef) -> Result<Vec<[f32; 3]>, MeshError> {
     let mut normals = list_of(payload.path, element.count)?;
     for vertex in 0..element.count {
-        let Vertex { position, normal } = payload.next(element)?;
+        let Vertex { position, normal, .. } = payload.next(element)?;
         check_finite(payload.path, vertex, position)?;
         normals.push(normal);
     }
@@ -225,12 +263,16 @@ fn read_positions(payload: &mut Payload, element: &ElementDef) -> Result<Positio
     Ok(positions)
 }
 
-fn add_faces(payload: &mut Payload, element: &ElementDef, sums: &mut Sums) -> Result<(), MeshError> {
+fn each_triangle(
+    payload: &mut Payload,
+    element: &ElementDef,
+    mut each: impl FnMut([i64; 3]) -> Result<(), MeshError>,
+) -> Result<(), MeshError> {
     for _ in 0..element.count {
         let Face(corners) = payload.next(element)?;
         let mut fan = Fan::default();
         for corner in (0..).map_while(|at| index(&corners, at)) {
-            fan.push(corner).map_or(Ok(()), |triangle| sums.add(triangle))?;
+            fan.push(corner).map_or(Ok(()), &mut each)?;
         }
     }
     Ok(())
@@ -240,6 +282,7 @@ fn add_faces(payload: &mut Payload, element: &ElementDef, sums: &mut Sums) -> Re
 pub(super) struct Vertex {
     position: DVec3,
     pub(super) normal: [f32; 3],
+    texture: [f32; 2],
 }
 
 impl PropertyAccess for Vertex {
@@ -258,7 +301,10 @@ impl PropertyAccess for Vertex {
             "nx" => self.normal[0] = value as f32,
             "ny" => self.normal[1] = value as f32,
             "nz" => self.normal[2] = value as f32,
-            _ => return PropertyAccessResult::Ignored,
+            _ => match COORDINATES.iter().find_map(|pair| pair.iter().position(|own| *own == name)) {
+                Some(axis) => self.texture[axis] = value as f32,
+                None => return PropertyAccessResult::Ignored,
+            },
         }
         PropertyAccessResult::Set
     }

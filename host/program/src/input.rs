@@ -247,6 +247,8 @@ pub struct Elements {
     pub parts: Option<Vec<Part>>,
     /// True for raw floats whose kind nothing tells.
     pub is_guess: bool,
+    /// What was made of a mesh beside what it has, in words: see [`mesh::Generated`].
+    pub note: Option<String>,
 }
 
 /// What the command line says of a file of elements.
@@ -281,7 +283,13 @@ impl Elements {
             if let Some(array) = input.array()? {
                 let (dtype, count) = array.elements(element).map_err(|error| input.error(error))?;
                 let count = input.expect(count, element.floats() * dtype.bytes, element.plural())?;
-                return Ok(Self { floats: dtype.as_f32(input), count, parts: None, is_guess: false });
+                return Ok(Self {
+                    floats: dtype.as_f32(input),
+                    count,
+                    parts: None,
+                    is_guess: false,
+                    note: None,
+                });
             }
         }
         if input.is_texture && !kind.raw {
@@ -300,15 +308,15 @@ impl Elements {
                 let dtype = kind.dtype.unwrap_or(Dtype::F32);
                 let count = input.count(element.floats() * dtype.bytes, element.plural())?;
                 let is_guess = kind.dtype.is_none();
-                Ok(Self { floats: dtype.as_f32(input), count, parts: None, is_guess })
+                Ok(Self { floats: dtype.as_f32(input), count, parts: None, is_guess, note: None })
             }
             (Some(_), Element::Vector) => {
                 let Mesh { normals, parts } = input.parse(mesh::parse, kind.reach)?;
                 Ok(Self::of_mesh(normals, parts))
             }
             (Some(_), Element::Frame) => {
-                let Frames { frames, parts } = input.parse(mesh::parse_frames, kind.reach)?;
-                Ok(Self::of_mesh(frames, parts))
+                let Frames { frames, parts, generated } = input.parse(mesh::parse_frames, kind.reach)?;
+                Ok(Self { note: generated.in_words(), ..Self::of_mesh(frames, parts) })
             }
             (Some(_), Element::Rotation) => {
                 let Rotations { rotations, parts } = input.parse(mesh::parse_rotations, kind.reach)?;
@@ -333,7 +341,7 @@ impl Elements {
     fn of_mesh<const N: usize>(elements: Vec<[f32; N]>, parts: Vec<Part>) -> Self {
         let count = Some(elements.len() as u64);
         let floats = Box::new(Cursor::new(Bytes::of(elements)));
-        Self { floats, count, parts: Some(parts), is_guess: false }
+        Self { floats, count, parts: Some(parts), is_guess: false, note: None }
     }
 }
 

@@ -98,7 +98,7 @@ pub struct Report {
     /// Files whose vectors are already in a format of other software.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub quantised: Vec<Quantised>,
-    /// What raw floats seem to be instead, and the remedy: a line for each such file.
+    /// What raw floats seem to be instead, and the remedy, and that tangents were generated: a line for each such file.
     pub warnings: Vec<String>,
 }
 

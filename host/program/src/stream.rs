@@ -194,19 +194,33 @@ pub fn for_each_chunk(
     let mut elements = vec![0.0; CHUNK * element.floats()];
     let (mut done, mut found) = (0, None);
     loop {
-        let bytes = bytemuck::cast_slice_mut(&mut elements);
-        let count = read_elements(&mut input, bytes, element.bytes(), element.plural(), done)?;
+        let count = read_next(&mut input, element, &mut elements, done)?;
         if count == 0 {
             return Ok(found);
         }
         let elements = &mut elements[..count * element.floats()];
-        swap_if_big_endian(elements);
         if done == 0 {
             found = suspicion(element, elements, count < CHUNK);
         }
         each(elements, done)?;
         done += count as u64;
     }
+}
+
+/// Fills a buffer with as many of the next raw vectors or frames as there are, after so many `before`. Returns their number.
+///
+/// # Errors
+/// [`Error::Truncated`] if the input ends within an element, and any error of reading.
+pub fn read_next(
+    input: &mut Input<'_>,
+    element: Element,
+    elements: &mut [f32],
+    before: u64,
+) -> Result<usize> {
+    let bytes = bytemuck::cast_slice_mut(elements);
+    let count = read_elements(input, bytes, element.bytes(), element.plural(), before)?;
+    swap_if_big_endian(&mut elements[..count * element.floats()]);
+    Ok(count)
 }
 
 /// Decodes dense codes into raw vectors or frames until the input ends, in bounded memory, with null codes where one is
@@ -223,22 +237,40 @@ pub fn decode(
     progress: &mut dyn FnMut(u64),
 ) -> Result<u64> {
     let floats = format.element.floats();
-    let mut codes = vec![0; CHUNK * format.bytes];
     let mut elements = vec![0.0; CHUNK * floats];
     let mut done = 0;
     loop {
-        let count = read_elements(&mut input, &mut codes, format.bytes, "codes", done)?;
+        let count = decode_next(backend, format, null, &mut input, &mut elements, done)?;
         if count == 0 {
             return Ok(done);
         }
         let elements = &mut elements[..count * floats];
-        backend.decode(format, &codes[..count * format.bytes], elements)?;
-        null.map_or(Ok(()), |null| null.clear(&codes[..count * format.bytes], elements))?;
         swap_if_big_endian(elements);
         write(&mut output, bytemuck::cast_slice(elements))?;
         done += count as u64;
         progress(done);
     }
+}
+
+/// Fills a buffer with as many of the next elements as there are codes of, after so many `before`. Returns their number.
+///
+/// # Errors
+/// The errors of [`decode`], but for those of writing.
+pub fn decode_next(
+    backend: &mut dyn Backend,
+    format: &AnyCodec,
+    null: Option<Null<'_>>,
+    input: &mut Input<'_>,
+    elements: &mut [f32],
+    before: u64,
+) -> Result<usize> {
+    let floats = format.element.floats();
+    let mut codes = vec![0; elements.len() / floats * format.bytes];
+    let count = read_elements(input, &mut codes, format.bytes, "codes", before)?;
+    let (codes, elements) = (&codes[..count * format.bytes], &mut elements[..count * floats]);
+    backend.decode(format, codes, elements)?;
+    null.map_or(Ok(()), |null| null.clear(codes, elements))?;
+    Ok(count)
 }
 
 fn write(output: &mut Sink<'_>, bytes: &[u8]) -> Result<()> {

@@ -88,7 +88,7 @@ pub enum Vertices {
 }
 
 /// The scene in the picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum View {
     /// All objects.
     Scene,
@@ -98,6 +98,8 @@ pub enum View {
     Turning,
     /// The bumpy sphere from one of [`SIDES`] sides. Together they show all of it.
     Side(u8),
+    /// A mesh of one's own, with this direction of it turned to the eye; +Z for zero.
+    Model([f32; 3]),
 }
 
 /// Sides of [`View::Side`], the corners of a tetrahedron.

@@ -108,6 +108,12 @@ impl Renderer {
         })
     }
 
+    /// Puts a body in the place of the scene's, for [`View::Model`](super::View::Model).
+    pub(super) fn show(&mut self, body: Body) {
+        self.bodies = vec![body];
+        self.meshes.clear();
+    }
+
     /// Renders a picture.
     ///
     /// # Errors

@@ -68,15 +68,31 @@ pub(super) fn arrange(shot: &Shot, size: Size) -> (Camera, Vec<Placed>) {
         }
         View::Turning => {
             let turn = DMat3::from_rotation_y(turn_degrees.to_radians());
-            (camera(place(0.0, 2.0, 8.0), DVec3::ZERO, 17.0), vec![sphere(facing(0.0) * turn)])
+            (
+                camera(place(0.0, 2.0, 8.0), DVec3::ZERO, 17.0),
+                vec![Placed { rotation: facing(0.0) * turn, ..single(BUMPY) }],
+            )
         }
-        View::Side(side) => (camera(corner(side) * 5.0, DVec3::ZERO, 17.0), vec![sphere(DMat3::IDENTITY)]),
+        View::Model(front) => {
+            let placed = Placed { rotation: facing(0.0) * to_front(front), ..single(BUNNY) };
+            // A sphere of radius 1 fills 15 degrees but for a margin.
+            (camera(toward * 8.0, DVec3::ZERO, 15.0), vec![placed])
+        }
+        View::Side(side) => (camera(corner(side) * 5.0, DVec3::ZERO, 17.0), vec![single(BUMPY)]),
     }
 }
 
-/// The bumpy sphere by itself.
-fn sphere(rotation: DMat3) -> Placed {
-    Placed { object: BUMPY, rotation, scale: 1.0, middle: DVec3::ZERO }
+/// An object by itself.
+fn single(object: u32) -> Placed {
+    Placed { object, rotation: DMat3::IDENTITY, scale: 1.0, middle: DVec3::ZERO }
+}
+
+/// Turns a direction to +Z, and +Y as far upwards as that allows; of a direction along Y, Z.
+fn to_front(direction: [f32; 3]) -> DMat3 {
+    let front = glam::Vec3::from(direction).as_dvec3().try_normalize().unwrap_or(DVec3::Z);
+    let up = if front.y.abs() < 0.999 { DVec3::Y } else { DVec3::Z };
+    let right = up.cross(front).normalize();
+    DMat3::from_cols(right, front.cross(right), front).transpose()
 }
 
 /// A corner of a tetrahedron: (1, 1, 1) with the signs of two components changed, or of none.
@@ -117,7 +133,9 @@ mod tests {
 
     #[test]
     fn objects_are_placed_by_rotations() {
-        for view in [View::Scene, View::Panel, View::Turning, View::Side(1)] {
+        for view in
+            [View::Scene, View::Panel, View::Side(1), View::Model([0.0, -2.0, 0.0]), View::Model([1.0; 3])]
+        {
             let shot = Shot { view, turn_degrees: 33.0, ..Shot::new(Material::Mirror) };
             let (_, objects) = arrange(&shot, Size { width: 160, height: 90 });
             for placed in objects {

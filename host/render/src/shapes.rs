@@ -3,27 +3,52 @@
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
-use unitvec_mesh::{self as mesh, MeshError};
+use unitvec_mesh::{self as mesh, FileFormat, MeshError, Reach, Shape};
 
 /// A body, ready to be drawn.
+#[derive(Clone)]
 pub(super) struct Body {
     pub(super) positions: Vec<[f32; 3]>,
     pub(super) normals: Vec<[f32; 3]>,
     pub(super) indices: Vec<u32>,
 }
 
-/// A mesh in OBJ, with smooth normals, centred and scaled to a half height of 1.
+/// A mesh in OBJ, with a smooth normal at each vertex, centred and scaled to a half height of 1.
 pub(super) fn of_obj(name: &str, text: &[u8]) -> Result<Body, MeshError> {
-    let name = Path::new(name);
-    let mut mesh = mesh::read_obj(name, text)?;
-    mesh.fill_with_z();
-    let surface = mesh::read_obj_surface(name, text)?;
-    let points = || surface.positions.iter().map(|point| glam::Vec3::from(*point));
+    let mut shapes = mesh::parse_shapes(Path::new(name), FileFormat::Obj, text, Reach::Folder)?;
+    let shape = shapes.pop().unwrap_or_default();
+    let points = || shape.positions.iter().map(|point| glam::Vec3::from(*point));
     let low = points().fold(glam::Vec3::INFINITY, glam::Vec3::min);
     let high = points().fold(glam::Vec3::NEG_INFINITY, glam::Vec3::max);
     let (middle, half) = (0.5 * (low + high), 0.5 * (high.y - low.y));
     let positions = points().map(|point| ((point - middle) / half).to_array()).collect();
-    Ok(Body { positions, normals: mesh.normals, indices: surface.triangles.into_flattened() })
+    Ok(Body { positions, normals: shape.normals, indices: shape.triangles.into_flattened() })
+}
+
+/// A mesh of one's own, centred and scaled to reach 1 from its middle; normals without a direction are +Z, as of codecs.
+pub(super) fn of_shapes(shapes: &[Shape]) -> Body {
+    let points =
+        || shapes.iter().flat_map(|shape| &shape.positions).map(|point| glam::Vec3::from(*point).as_dvec3());
+    let low = points().fold(DVec3::INFINITY, DVec3::min);
+    let high = points().fold(DVec3::NEG_INFINITY, DVec3::max);
+    let middle = 0.5 * (low + high);
+    let reach = points().map(|point| point.distance(middle)).fold(0.0, f64::max);
+    let scale = if reach > 0.0 { 1.0 / reach } else { 1.0 };
+    let unit = |normal: &[f32; 3]| {
+        let normal =
+            if mesh::has_direction(*normal) { glam::Vec3::from(*normal).as_dvec3() } else { DVec3::Z };
+        normal.normalize().as_vec3().to_array()
+    };
+    let (mut indices, mut before) = (Vec::new(), 0);
+    for shape in shapes {
+        indices.extend(shape.triangles.as_flattened().iter().map(|corner| before + corner));
+        before += shape.positions.len() as u32;
+    }
+    Body {
+        positions: points().map(|point| ((point - middle) * scale).as_vec3().to_array()).collect(),
+        normals: shapes.iter().flat_map(|shape| &shape.normals).map(unit).collect(),
+        indices,
+    }
 }
 
 /// Eighty flat faces: an icosahedron's, each split in four.

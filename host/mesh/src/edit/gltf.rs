@@ -336,7 +336,7 @@ fn words(start: usize, stride: usize, size: usize, count: usize) -> impl Iterato
     starts.flat_map(move |start| start / 4..start.saturating_add(size).div_ceil(4))
 }
 
-/// Moves vectors, or frames of the vectors at two places. The fourth float of tangents is not written.
+/// Moves vectors, or frames of the vectors at two places. The fourth float of tangents is written with frames alone.
 fn run<const N: usize>(places: &[Place], contents: &mut [Vec<u8>], change: &mut dyn FnMut(&mut [[f32; N]])) {
     let count = places.iter().map(|place| place.count).min().unwrap_or(0);
     for first in (0..count).step_by(CHUNK) {
@@ -348,7 +348,8 @@ fn run<const N: usize>(places: &[Place], contents: &mut [Vec<u8>], change: &mut 
         }
         change(&mut elements);
         for (row, element) in rows.zip(&elements) {
-            for (place, vector) in places.iter().zip(element.chunks(3)) {
+            let (normal, tangent) = element.split_at(3);
+            for (place, vector) in places.iter().zip([normal, tangent]) {
                 let floats = contents[place.store][place.element(row)].chunks_exact_mut(4);
                 floats.zip(vector).for_each(|(to, from)| to.copy_from_slice(&from.to_le_bytes()));
             }

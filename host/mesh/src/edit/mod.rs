@@ -17,7 +17,7 @@ const CHUNK: usize = 1 << 14;
 pub enum Attribute {
     /// The normal.
     Normal,
-    /// The tangent; its fourth component stays as it is.
+    /// The tangent; its fourth component, the handedness, changes with frames alone.
     Tangent,
 }
 
@@ -28,7 +28,7 @@ pub type ChangeVectors<'c> = dyn FnMut(usize, Attribute, &mut [[f32; 3]]) + 'c;
 pub enum Change<'c> {
     /// Moves normals and tangents, each by themselves.
     Vectors(&'c mut ChangeVectors<'c>),
-    /// Moves normals with their tangents; of the seventh float, the handedness, changes are not kept.
+    /// Moves normals with their tangents and handedness.
     Frames(&'c mut dyn FnMut(usize, &mut [[f32; 7]])),
 }
 

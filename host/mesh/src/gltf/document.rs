@@ -34,6 +34,7 @@ struct Attributes {
     position: Option<u32>,
     normal: Option<u32>,
     tangent: Option<u32>,
+    texcoord_0: Option<u32>,
 }
 
 impl Primitive {
@@ -43,6 +44,7 @@ impl Primitive {
             Semantic::Positions => self.attributes.position,
             Semantic::Normals => self.attributes.normal,
             Semantic::Tangents => self.attributes.tangent,
+            Semantic::TexCoords(0) => self.attributes.texcoord_0,
             _ => None,
         }
     }

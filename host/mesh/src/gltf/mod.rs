@@ -2,12 +2,14 @@
 
 pub(super) mod buffers;
 pub(super) mod document;
+pub(super) mod shape;
 #[cfg(test)]
 mod tests;
 
 use std::borrow::Cow;
 use std::collections::hash_map::Entry;
 use std::collections::{BTreeSet, HashMap, HashSet};
+use std::hash::Hash;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -24,7 +26,7 @@ use glam::Vec3;
 
 use super::format::without_mark;
 use super::{
-    Fan, Frames, Mesh, MeshError, Part, Positions, Reach, Rotations, Sums, check_finite, list_of,
+    Fan, Frames, Generated, Mesh, MeshError, Part, Positions, Reach, Rotations, Sums, check_finite, list_of,
     parse_error, place, reserve,
 };
 use buffers::Content;
@@ -35,7 +37,8 @@ pub(super) const FORMAT: &str = "glTF";
 /// Reads the normals of all primitives of all meshes, in the order of [`Mesh`].
 pub(super) fn parse(path: &Path, bytes: &[u8], reach: Reach) -> Result<Mesh, MeshError> {
     let file = load(path, bytes, reach, &[Semantic::Positions, Semantic::Normals])?;
-    let faces = file.primitives_with_faces()?;
+    let without_normals = |primitive: &Primitive| primitive.get(&Semantic::Normals).is_none();
+    let faces = file.grouped(|one| without_normals(one).then(|| one.get(&Semantic::Positions)))?;
     let (mut all, mut has_faces) = (Collected::new(&file), false);
     for (mesh, at, primitive) in file.primitives() {
         match primitive.get(&Semantic::Normals) {
@@ -55,7 +58,7 @@ pub(super) fn parse(path: &Path, bytes: &[u8], reach: Reach) -> Result<Mesh, Mes
                     let mut positions = list_of(path, accessor.count())?;
                     file.positions(primitive, |position| positions.push(position))?;
                     let mut sums = Sums::new(path, Positions::Single(positions));
-                    for primitive in faces.get(&accessor.index()).into_iter().flatten() {
+                    for primitive in faces.get(&primitive.get(&Semantic::Positions)).into_iter().flatten() {
                         sums.add_all(triangles(file.mode(primitive)?, file.corners(primitive)?))?;
                     }
                     has_faces |= sums.has_faces();
@@ -77,36 +80,33 @@ pub(super) fn parse(path: &Path, bytes: &[u8], reach: Reach) -> Result<Mesh, Mes
 
 /// Reads the tangent frames of all primitives of all meshes, in the order of [`Frames`].
 pub(super) fn parse_frames(path: &Path, bytes: &[u8], reach: Reach) -> Result<Frames, MeshError> {
-    let semantics = [Semantic::Positions, Semantic::Normals, Semantic::Tangents];
+    let semantics = [Semantic::Positions, Semantic::Normals, Semantic::Tangents, Semantic::TexCoords(0)];
     let file = load(path, bytes, reach, &semantics)?;
-    let mut all = Collected::new(&file);
+    let groups = file.grouped(|primitive| Some(shape::key(primitive)))?;
+    let (mut all, mut generated) = (Collected::new(&file), Generated::default());
     for (mesh, at, primitive) in file.primitives() {
-        let [Some(normals), Some(tangents)] =
-            [Semantic::Normals, Semantic::Tangents].map(|semantic| primitive.get(&semantic))
-        else {
-            return Err(file.no_tangents(mesh, at));
-        };
-        file.check_counts(primitive, [Semantic::Positions, Semantic::Normals])?;
-        file.check_counts(primitive, [Semantic::Normals, Semantic::Tangents])?;
-        all.add(mesh, at, Accessors::Frames(normals, tangents), |frames| {
-            file.positions(primitive, |_| ())?;
-            reserve(path, frames, file.accessor(normals)?.count())?;
-            let first = frames.len();
-            file.vectors(primitive, &Semantic::Normals, Dimensions::Vec3, |[x, y, z]| {
-                frames.push([x, y, z, 0.0, 0.0, 0.0, 0.0]);
-            })?;
-            let mut frames = frames[first..].iter_mut();
-            file.vectors(primitive, &Semantic::Tangents, Dimensions::Vec4, |tangent: [f32; 4]| {
-                if let Some(frame) = frames.next() {
-                    frame[3..].copy_from_slice(&tangent);
-                }
-            })
-        })?;
+        let [normals, tangents, texture] = [Semantic::Normals, Semantic::Tangents, Semantic::TexCoords(0)]
+            .map(|semantic| primitive.get(&semantic));
+        match (normals, tangents, texture) {
+            (Some(normals), Some(tangents), _) => {
+                file.check_counts(primitive, [Semantic::Positions, Semantic::Normals])?;
+                file.check_counts(primitive, [Semantic::Normals, Semantic::Tangents])?;
+                let read = |frames: &mut Vec<_>| file.add_frames(primitive, frames);
+                all.add(mesh, at, Accessors::Frames(normals, tangents), read)?;
+            }
+            (_, None, Some(_)) => all.add(mesh, at, Accessors::Shape(shape::key(primitive)), |frames| {
+                let shape = file.shape(primitive, &groups)?.with_normals(path)?;
+                // In glTF v grows downwards.
+                frames.extend(shape.frames(path, -1.0, &mut generated)?);
+                Ok(())
+            })?,
+            _ => return Err(file.no_tangents(mesh, at)),
+        }
     }
     if all.elements.is_empty() {
         return Err(MeshError::NoTangents { path: path.into(), lacking: String::new() });
     }
-    Ok(Frames { frames: all.elements, parts: all.parts })
+    Ok(Frames { frames: all.elements, parts: all.parts, generated })
 }
 
 /// Reads the rotations of all samplers of all animations, in the order of [`Rotations`].
@@ -142,6 +142,8 @@ enum Accessors {
     Faces(usize),
     /// The accessors of normals and of tangents.
     Frames(u32, u32),
+    /// Tangents are generated.
+    Shape(shape::Key),
     Rotations(u32),
 }
 
@@ -184,7 +186,7 @@ impl<'f, const N: usize> Collected<'f, N> {
         count: usize,
         read: impl FnOnce(&mut Vec<[f32; N]>) -> Result<(), MeshError>,
     ) -> Result<(), MeshError> {
-        let computed = matches!(from, Accessors::Faces(_));
+        let computed = matches!(from, Accessors::Faces(_) | Accessors::Shape([_, None, _]));
         let (first, count) = match self.places.entry(from) {
             Entry::Occupied(place) => *place.get(),
             Entry::Vacant(place) => {
@@ -294,16 +296,21 @@ impl File<'_> {
         }
     }
 
-    /// The buffers that these attributes lie in and, where a primitive has no normals, its indices; without attributes, those of
-    /// rotations.
+    /// The buffers that these attributes lie in and, where a primitive has no normals, its indices; texture coordinates and all
+    /// indices where they are asked for, and tangents are not or are not there. Without attributes, those of rotations.
     fn used_buffers(&self, semantics: &[Semantic]) -> Result<BTreeSet<usize>, MeshError> {
         if semantics.is_empty() {
             return self.buffers_of(self.rotations().map(|(_, (_, output, _))| output));
         }
         let mut used = BTreeSet::new();
+        let texture = Semantic::TexCoords(0);
         for (.., primitive) in self.primitives() {
-            let indices = primitive.indices.filter(|_| primitive.get(&Semantic::Normals).is_none());
-            let attributes = semantics.iter().filter_map(|semantic| primitive.get(semantic));
+            let has = |semantic| semantics.contains(&semantic) && primitive.get(&semantic).is_some();
+            let has_texture = semantics.contains(&texture) && !has(Semantic::Tangents);
+            let has_faces = has_texture || primitive.get(&Semantic::Normals).is_none();
+            let indices = primitive.indices.filter(|_| has_faces);
+            let attributes = semantics.iter().filter(|semantic| has_texture || **semantic != texture);
+            let attributes = attributes.filter_map(|semantic| primitive.get(semantic));
             used.append(&mut self.buffers_of(attributes.chain(indices))?);
         }
         Ok(used)
@@ -350,27 +357,43 @@ impl File<'_> {
         checked
     }
 
-    /// The primitives without normals, by their accessor of positions: where primitives share one, all their faces count
-    /// at each vertex, the same faces once.
-    fn primitives_with_faces(&self) -> Result<HashMap<usize, Vec<&Primitive>>, MeshError> {
+    /// Primitives by the accessors that their vertices come from: where some share these, all their faces count at each vertex,
+    /// the same faces once.
+    fn grouped<K: Copy + Eq + Hash>(
+        &self,
+        key: impl Fn(&Primitive) -> Option<K>,
+    ) -> Result<HashMap<K, Vec<&Primitive>>, MeshError> {
         /// An index takes a byte at least. Files of several levels of detail may share some.
         const SHARED: usize = 4;
-        let (mut faces, mut seen) = (HashMap::<usize, Vec<_>>::new(), HashSet::new());
+        let (mut faces, mut seen) = (HashMap::<K, Vec<_>>::new(), HashSet::new());
         let mut corners = 0_usize;
         for (.., primitive) in self.primitives() {
-            if primitive.get(&Semantic::Normals).is_some() {
-                continue;
-            }
+            let Some(key) = key(primitive) else { continue };
             let positions = self.attribute(primitive, &Semantic::Positions)?;
-            if seen.insert((positions.index(), primitive.indices, self.mode(primitive)?.as_gl_enum())) {
-                let corner =
-                    primitive.indices.map_or_else(|| Ok(positions.clone()), |index| self.accessor(index))?;
+            if seen.insert((key, primitive.indices, self.mode(primitive)?.as_gl_enum())) {
+                let corner = primitive.indices.map_or_else(|| Ok(positions), |index| self.accessor(index))?;
                 corners = corners.saturating_add(corner.count());
-                faces.entry(positions.index()).or_default().push(primitive);
+                faces.entry(key).or_default().push(primitive);
             }
         }
         self.check_total(corners, SHARED * self.size, "corners of faces")?;
         Ok(faces)
+    }
+
+    /// Adds the normals and tangents of a primitive.
+    fn add_frames(&self, primitive: &Primitive, frames: &mut Vec<[f32; 7]>) -> Result<(), MeshError> {
+        self.positions(primitive, |_| ())?;
+        reserve(self.path, frames, self.attribute(primitive, &Semantic::Normals)?.count())?;
+        let first = frames.len();
+        self.vectors(primitive, &Semantic::Normals, Dimensions::Vec3, |[x, y, z]| {
+            frames.push([x, y, z, 0.0, 0.0, 0.0, 0.0]);
+        })?;
+        let mut frames = frames[first..].iter_mut();
+        self.vectors(primitive, &Semantic::Tangents, Dimensions::Vec4, |tangent: [f32; 4]| {
+            if let Some(frame) = frames.next() {
+                frame[3..].copy_from_slice(&tangent);
+            }
+        })
     }
 
     /// The vertices that a primitive's faces are made of.
@@ -420,7 +443,7 @@ impl File<'_> {
     }
 
     /// Reads an attribute in floats or, as `KHR_mesh_quantization` has it, in integers: normalised for normals and tangents,
-    /// of any kind for positions.
+    /// of any kind for positions and texture coordinates.
     fn vectors<const N: usize>(
         &self,
         primitive: &Primitive,
@@ -436,14 +459,15 @@ impl File<'_> {
         [u16; N]: Item,
     {
         let accessor = self.attribute(primitive, semantic)?;
-        self.vectors_of(&accessor, *semantic == Semantic::Positions, dimensions, each)
+        let is_of_any_kind = matches!(semantic, Semantic::Positions | Semantic::TexCoords(_));
+        self.vectors_of(&accessor, is_of_any_kind, dimensions, each)
     }
 
     /// Reads the vectors of an accessor, as [`vectors`](Self::vectors) does.
     fn vectors_of<const N: usize>(
         &self,
         accessor: &Accessor<'_>,
-        is_position: bool,
+        is_of_any_kind: bool,
         dimensions: Dimensions,
         mut each: impl FnMut([f32; N]),
     ) -> Result<(), MeshError>
@@ -461,16 +485,16 @@ impl File<'_> {
             (DataType::F32, _) => self.components(accessor, each, |c: f32| c),
             (DataType::I8, true) => self.components(accessor, each, |c: i8| snorm(c, i8::MAX)),
             (DataType::I16, true) => self.components(accessor, each, |c: i16| snorm(c, i16::MAX)),
-            // Only faces are made of positions, and their normals do not depend on the scale.
-            (DataType::I8, false) if is_position => self.components(accessor, each, |c: i8| c.into()),
-            (DataType::I16, false) if is_position => self.components(accessor, each, |c: i16| c.into()),
-            (DataType::U8, _) if is_position => self.components(accessor, each, |c: u8| c.into()),
-            (DataType::U16, _) if is_position => self.components(accessor, each, |c: u16| c.into()),
+            // Neither the normals nor the tangents of faces depend on the scale.
+            (DataType::I8, false) if is_of_any_kind => self.components(accessor, each, |c: i8| c.into()),
+            (DataType::I16, false) if is_of_any_kind => self.components(accessor, each, |c: i16| c.into()),
+            (DataType::U8, _) if is_of_any_kind => self.components(accessor, each, |c: u8| c.into()),
+            (DataType::U16, _) if is_of_any_kind => self.components(accessor, each, |c: u16| c.into()),
             _ => None,
         };
         read.ok_or_else(|| {
             let kinds =
-                if is_position { "floats or short integers" } else { "floats or normalised integers" };
+                if is_of_any_kind { "floats or short integers" } else { "floats or normalised integers" };
             self.error(format!("accessor {} does not have {dimensions:?} of {kinds}", accessor.index()))
         })
     }

@@ -190,8 +190,8 @@ fn frames() {
         .collect();
     let read = |bytes: &[u8]| parse_frames(Path::new("a.glb"), bytes, Reach::Folder);
     let twice = format!("{WITH_TANGENTS},{WITH_TANGENTS}");
-    let Frames { frames, parts } = read(&cube(&twice)).unwrap();
-    assert_eq!(frames, expected);
+    let Frames { frames, parts, generated } = read(&cube(&twice)).unwrap();
+    assert_eq!((frames, generated), (expected, Generated::default()));
     assert_eq!(
         parts.iter().map(|p| (p.primitive, p.first, p.count)).collect::<Vec<_>>(),
         [(0, 0, 8), (1, 0, 8)]
@@ -209,6 +209,41 @@ fn frames() {
     {
         let result = read(&glb(&json(WITH_TANGENTS, "").replace(from, to), Some(&cube_buffer())));
         assert!(matches!(result, Err(MeshError::Parse { .. })), "{from} {to}: {result:?}");
+    }
+}
+
+/// A square in two primitives, which share their vertices, with v downwards: the tangent goes along u, and the handedness, so
+/// that n x t times it goes upwards in the texture, as glTF defines it, is that of x, -y, z.
+#[test]
+fn frames_from_texture_coordinates() {
+    let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let positions = floats(&square.map(|[x, y]| [x, y, 0.0f32]));
+    let indices: Vec<u8> = [0u16, 1, 2, 0, 2, 3].into_iter().flat_map(u16::to_le_bytes).collect();
+    let buffer = [positions, floats(&square), indices].concat();
+    let primitive =
+        |indices| format!(r#"{{"attributes":{{"POSITION":0,"TEXCOORD_0":1}},"indices":{indices}}}"#);
+    let document = |kind: &str| {
+        format!(
+            r#"{{"asset":{{"version":"2.0"}},"meshes":[{{"primitives":[{},{}]}}],"buffers":[{{"byteLength":92}}],
+            "bufferViews":[{{"buffer":0,"byteLength":48}},{{"buffer":0,"byteOffset":48,"byteLength":32}},
+            {{"buffer":0,"byteOffset":80,"byteLength":12}}],"accessors":[
+            {{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}},
+            {{"bufferView":1,"componentType":5126,"count":4,"type":"{kind}"}},
+            {{"bufferView":2,"componentType":5123,"count":3,"type":"SCALAR"}},
+            {{"bufferView":2,"byteOffset":6,"componentType":5123,"count":3,"type":"SCALAR"}}]}}"#,
+            primitive(2),
+            primitive(3)
+        )
+    };
+    let read =
+        |document: &str| parse_frames(Path::new("a.glb"), &glb(document, Some(&buffer)), Reach::Folder);
+    let Frames { frames, parts, generated } = read(&document("VEC2")).unwrap();
+    assert_eq!(frames, [[0.0, 0.0, 1.0, 1.0, 0.0, 0.0, -1.0]; 4]);
+    assert_eq!(generated, Generated { vertices: 4, ambiguous: 0 });
+    assert!(parts.iter().map(|part| (part.first, part.count, part.computed)).eq([(0, 4, true); 2]));
+    for (from, to) in [("VEC2", "VEC3"), ("count\":4,\"type\":\"VEC2", "count\":3,\"type\":\"VEC2")] {
+        let result = read(&document("VEC2").replace(from, to));
+        assert!(matches!(result, Err(MeshError::Parse { .. })), "{result:?}");
     }
 }
 

@@ -1,14 +1,16 @@
+use super::beside::write_beside;
+use super::many::{each, pairs};
 use super::run::Live;
-use super::summary::{Options, Summary, Told};
-use super::{Buffers, OpenBackend, Vulkan, dtype, expect, files_of, is_mesh, tell};
+use super::summary::{Options, Summary};
+use super::write::{Source, Written, pairs_into, put};
+use super::{Buffers, OpenBackend, Vulkan, dtype, expect, is_mesh};
 use clap::Args;
 use sha2::{Digest, Sha256};
-use std::collections::{BTreeMap, HashSet};
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unitvec_catalogue::{AnyCodec, Element, Null, find_any};
-use unitvec_files::{Output, is_same_file};
+use unitvec_files::Output;
 use unitvec_host::container::{Hashed, Header};
 use unitvec_host::input::{Elements, Input, Kind, RAW_ENDINGS, has_ending};
 use unitvec_host::raw::{Dtype, Npy, to_bytes};
@@ -16,7 +18,7 @@ use unitvec_host::stream;
 use unitvec_host::stream::{Counts, Named, Sink};
 use unitvec_host::{Error, Result};
 use unitvec_mesh as mesh;
-use unitvec_mesh::Frames;
+use unitvec_mesh::{Frames, Reach};
 use unitvec_run::backend::{Backend, BackendKind, Cpu};
 
 #[derive(Args)]
@@ -66,13 +68,19 @@ pub struct Decode {
     /// Take the input as codes without a header, whatever its first bytes say.
     #[arg(long)]
     raw: bool,
+    /// Write the decoded normals, or frames, into a copy of this mesh, which becomes OUT: of all else every byte stays. The
+    /// codes are as many, in the order in which `encode` read them.
+    #[arg(long, value_name = "MESH")]
+    into: Option<PathBuf>,
+    #[command(flatten)]
+    buffers: Buffers,
     #[command(flatten)]
     work: Work,
     /// Input file, - for the standard input, or a folder, whose .uvec files are taken, also from folders below it.
     #[arg(required = true, num_args = 1..)]
     r#in: Vec<PathBuf>,
     /// Output file of raw f32, - for the standard output, a NumPy array if it ends in .npy; or a folder that exists, which
-    /// gets NAME.f32 for each input.
+    /// gets NAME.f32 for each input. With --into, a mesh.
     out: PathBuf,
 }
 
@@ -101,7 +109,8 @@ pub struct Meshes {
 
 #[derive(Args)]
 pub struct Normals {
-    /// Export whole tangent frames, seven f32 each: normal, tangent and handedness. The mesh needs tangents.
+    /// Export whole tangent frames, seven f32 each: normal, tangent and handedness. The mesh needs tangents, or texture
+    /// coordinates to generate them from: see `encode --help`.
     #[arg(long)]
     frames: bool,
     #[command(flatten)]
@@ -143,14 +152,20 @@ pub fn encode(arguments: &Encode) -> Result<ExitCode> {
         };
         expect(conversion.input, elements.count, counts.elements)?;
         counts.suspicion = counts.suspicion.filter(|found| found.applies(elements.is_guess));
-        Ok(Summary::of_encoding(format, counts, elements.parts))
+        Ok(Summary::of_encoding(format, counts, elements.parts).noting(elements.note))
     })
 }
 
 pub fn decode(arguments: &Decode) -> Result<ExitCode> {
     let named = arguments.codec.as_deref().map(find_any).transpose()?;
     let is_container = |path: &Path| has_ending(path, &["uvec"]);
-    let pairs = pairs(&arguments.r#in, &arguments.out, is_container, Some("f32"))?;
+    let pairs = match (&arguments.into, &arguments.r#in[..]) {
+        (None, inputs) => pairs(inputs, &arguments.out, is_container, Some("f32"))?,
+        (Some(mesh), [codes]) => pairs_into(codes, mesh, &arguments.out)?,
+        (Some(_), _) => {
+            return Err(Error::Usage("--into takes the codes of one mesh; name one input".into()));
+        }
+    };
     if let Some((_, out)) = pairs.iter().find(|(_, out)| is_container(out)) {
         let words = format!("{} has the name of codes; give the decoded floats another", out.display());
         return Err(Error::Usage(words));
@@ -182,14 +197,22 @@ pub fn decode(arguments: &Decode) -> Result<ExitCode> {
             }
             (None, None) => input.count(format.bytes, "codes")?,
         };
-        conversion.begin_array(count, ("<f4", format.element.floats()))?;
         let mut input = Hashed::new(input, header.is_some());
-        let decoded = conversion.run(format, &mut input, count, stream::decode)?;
+        let (decoded, warnings) = match &arguments.into {
+            None => {
+                conversion.begin_array(count, ("<f4", format.element.floats()))?;
+                (conversion.run(format, &mut input, count, stream::decode)?, Vec::new())
+            }
+            Some(mesh) => {
+                let reach = arguments.buffers.reach();
+                conversion.decode_into(mesh, reach, format, &mut input, count)?
+            }
+        };
         expect(path, count, decoded)?;
         if let (Some(header), Some(hash)) = (header, input.hash) {
             header.check(path, hash)?;
         }
-        Ok(Summary::of_decoding(format, decoded))
+        Ok(Summary::of_writing(Some(format), format.element, decoded, warnings))
     })
 }
 
@@ -237,8 +260,10 @@ pub fn normals(arguments: &Normals) -> Result<ExitCode> {
     let export = |conversion: &mut Conversion<'_>| {
         let input = Input::open(conversion.input)?;
         let mut counts = Counts::default();
+        let mut note = None;
         let (element, floats, parts, filled) = if arguments.frames {
-            let Frames { frames, parts } = input.parse(mesh::parse_frames, reach)?;
+            let Frames { frames, parts, generated } = input.parse(mesh::parse_frames, reach)?;
+            note = generated.in_words();
             counts.add(Element::Frame, frames.as_flattened());
             (Element::Frame, frames.into_flattened(), parts, 0)
         } else {
@@ -249,66 +274,10 @@ pub fn normals(arguments: &Normals) -> Result<ExitCode> {
         };
         conversion.begin_array(Some(counts.elements), ("<f4", element.floats()))?;
         floats.chunks(1 << 16).try_for_each(|floats| conversion.write(&to_bytes(floats)))?;
-        Ok(Summary::of_export(element, counts, parts, filled))
+        Ok(Summary::of_export(element, counts, parts, filled).noting(note))
     };
     each(&arguments.meshes.summary, &pairs, &arguments.out, |input, out| one(input, out, &mut Cpu, export))?;
     Ok(ExitCode::SUCCESS)
-}
-
-/// The inputs, those of folders among them, each with its output: OUT, or a file in the folder OUT, of its own name but for
-/// the ending. Without an ending, outputs are meshes, and keep their names.
-pub fn pairs(
-    inputs: &[PathBuf],
-    out: &Path,
-    is_wanted: fn(&Path) -> bool,
-    ending: Option<&str>,
-) -> Result<Vec<(PathBuf, PathBuf)>> {
-    let found = files_of(inputs, is_wanted)?;
-    if let ([input], false) = (inputs, out.is_dir()) {
-        if !input.is_dir() {
-            check_output(input, out, ending.is_none())?;
-            return Ok(vec![(input.clone(), out.to_owned())]);
-        }
-    }
-    if !out.is_dir() {
-        let words = format!(
-            "several inputs, or a folder, need a folder that exists as OUT; {} is none",
-            out.display()
-        );
-        return Err(Error::Usage(words));
-    }
-    // An output must not replace an input that is yet to be read.
-    let places: HashSet<PathBuf> = found.iter().filter_map(|input| input.canonicalize().ok()).collect();
-    let mut taken = BTreeMap::new();
-    for input in found {
-        let out = match ending {
-            Some(ending) => out.join(input.file_stem().unwrap_or_default()).with_extension(ending),
-            None => out.join(input.file_name().unwrap_or_default()),
-        };
-        check_output(&input, &out, ending.is_none())?;
-        if out.canonicalize().is_ok_and(|place| places.contains(&place)) {
-            return Err(Error::Usage(format!("{} is an input; name another folder", out.display())));
-        }
-        if let Some(other) = taken.insert(out.clone(), input.clone()) {
-            let [other, input] = [other, input].map(|path| path.display().to_string());
-            let words =
-                format!("{other} and {input} would both become {}; convert one by itself", out.display());
-            return Err(Error::Usage(words));
-        }
-    }
-    Ok(taken.into_iter().map(|(out, input)| (input, out)).collect())
-}
-
-/// Refuses an output that would replace the input or, if it is none, what is called a mesh: as where OUT was forgotten after
-/// `*.obj`.
-fn check_output(input: &Path, out: &Path, of_mesh: bool) -> Result<()> {
-    let is_input = is_same_file(input, out);
-    if is_input || (is_mesh(out) && !of_mesh) {
-        let what = if is_input { "the input" } else { "the name of a mesh" };
-        let message = format!("{} is {what}; give the output another name", out.display());
-        return Err(Error::Usage(message));
-    }
-    Ok(())
 }
 
 /// [`stream::encode`] or [`stream::decode`].
@@ -338,32 +307,6 @@ impl Work {
             each(&self.summary, pairs, out, |input, out| one(input, out, open.backend.as_mut(), &convert));
         let status = open.close();
         converted.map(|()| status)
-    }
-}
-
-/// Converts each input to its output; `convert` says what is told of it, and whether it went to the standard output. One of several that fails does not stop the others.
-pub fn each<S: Told>(
-    summary: &Options,
-    pairs: &[(PathBuf, PathBuf)],
-    out: &Path,
-    mut convert: impl FnMut(&Path, &Path) -> Result<(S, bool)>,
-) -> Result<()> {
-    summary.spare(pairs)?;
-    let (mut done, mut failed) = (Vec::new(), 0);
-    for (input, out) in pairs {
-        match convert(input, out) {
-            Ok((one, to_stdout)) => done.push(summary.told(one, [input, out], pairs.len(), to_stdout)),
-            Err(error) if pairs.len() == 1 => return Err(error),
-            Err(error) => {
-                failed += 1;
-                tell(error);
-            }
-        }
-    }
-    summary.write(done, out)?;
-    match failed {
-        0 => Ok(()),
-        _ => Err(Error::Some { failed, all: pairs.len() }),
     }
 }
 
@@ -428,6 +371,27 @@ impl Conversion<'_> {
         let converted = convert(self.backend, format, self.null, from, to, &mut |done| live.reach(done))?;
         live.finish();
         Ok(converted)
+    }
+
+    /// Decodes into a mesh. Returns the number of elements, and warnings.
+    fn decode_into(
+        &mut self,
+        mesh: &Path,
+        reach: Reach,
+        format: &AnyCodec,
+        input: &mut dyn Read,
+        count: Option<u64>,
+    ) -> Result<(u64, Vec<String>)> {
+        let (path, null) = (self.input, self.null);
+        let mut input: stream::Input<'_> = Named::new(path, input);
+        let mut fill = |elements: &mut [f32], before| {
+            stream::decode_next(self.backend, format, null, &mut input, elements, before)
+        };
+        let source = Source { path, count, fill: &mut fill };
+        let (Written { count, mut warnings }, edited) = put(mesh, format.element, reach, source)?;
+        write_beside(&edited.files, mesh, self.out, &mut warnings)?;
+        self.write(&edited.bytes)?;
+        Ok((count, warnings))
     }
 
     /// Encodes behind a header, which is known once all codes are.

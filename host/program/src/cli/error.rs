@@ -86,7 +86,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let (mut computed, mut warnings) = (Vec::new(), Vec::new());
     for path in &files {
         live.advance(1);
-        let Elements { floats: mut input, parts, is_guess, count } =
+        let Elements { floats: mut input, parts, is_guess, count, note } =
             Elements::open(path, meter.element(), kind)?;
         if parts.is_some_and(|parts| parts.iter().any(|part| part.computed)) {
             computed.push(FileName::from(path.as_path()));
@@ -98,8 +98,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
             live.name(format!("{}: {done} {unit}", path.display()));
         })?;
         expect(path, count, read)?;
-        let suspicion = suspicion.filter(|found| found.applies(is_guess));
-        warnings.extend(suspicion.map(|words| shown(format_args!("{}: {words}", path.display()))));
+        let suspicion = suspicion.filter(|found| found.applies(is_guess)).map(|found| found.to_string());
+        warnings.extend(suspicion.or(note).map(|words| shown(format_args!("{}: {words}", path.display()))));
     }
     live.finish();
     if let Some(original) = original {

@@ -41,10 +41,10 @@ pub struct Arguments {
 pub struct Rendering {
     /// Samples of a pixel, in a row and in a column.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SAMPLES)))]
-    samples: u32,
+    pub samples: u32,
     /// What the shaders are written in: rust or glsl.
     #[arg(long, value_name = "LANGUAGE", default_value = "rust", value_parser = source)]
-    source: BackendKind,
+    pub source: BackendKind,
     #[command(flatten)]
     pub vulkan: Vulkan,
 }

@@ -4,8 +4,11 @@
 mod accuracy;
 #[cfg(feature = "lab")]
 mod bench;
+mod beside;
 mod choose;
 mod codecs;
+#[cfg(feature = "render")]
+mod compare;
 #[cfg(feature = "lab")]
 mod compiler;
 mod conform;
@@ -18,6 +21,7 @@ mod figures;
 #[cfg(feature = "lab")]
 mod imprecise;
 mod link;
+mod many;
 #[cfg(feature = "render")]
 mod pipeline;
 #[cfg(feature = "render")]
@@ -29,6 +33,7 @@ mod snap;
 mod summary;
 mod table;
 mod texture;
+mod write;
 
 #[cfg(feature = "render")]
 use clap::Arg;
@@ -72,13 +77,18 @@ enum Command {
     Codecs(codecs::Arguments),
     /// List the Vulkan devices, and which one would be used.
     Devices(Vulkan),
-    /// Encode the normals of meshes (obj, ply, gltf, glb), or their normals and tangents (gltf, glb), NumPy arrays, or raw
-    /// floats: three a vector, seven a tangent frame.
+    /// Encode the normals of meshes (obj, ply, gltf, glb), or their normals and tangents, NumPy arrays, or raw floats: three a
+    /// vector, seven a tangent frame.
     ///
     /// A mesh's codes lie in this order. OBJ: the `vn` lines, once each; where normals are computed, the `v` lines. PLY: the
     /// vertices. glTF: mesh by mesh in file order, then primitive by primitive, then vertex by vertex; what several
     /// primitives share comes once, at the first of them. --json says where each primitive begins, as does the header of a
     /// .uvec file; where OUT is the standard output, `--json -` goes to the standard error.
+    ///
+    /// A mesh without tangents gets those of MikkTSpace, where it has texture coordinates: of glTF the first set, of PLY `s t`,
+    /// `u v` or `texture_u texture_v` of the vertices. The frames of OBJ are those of the different corners v/vt/vn, in the
+    /// order in which faces first use them. A vertex whose corners get different tangents keeps that of the first; the
+    /// warning counts them.
     ///
     /// A vertex without a face to compute its normal from gets +Z. Vectors that seem to be something else (f64 or big endian
     /// without --dtype, 0..1, lengths far from 1; of up to a million also all x before all y) are encoded as they are, with a
@@ -111,6 +121,12 @@ enum Command {
     /// whether y points up or down, and how far the vectors that were written are from those that were read.
     #[command(after_help = examples::of("texture"))]
     Texture(texture::Arguments),
+    /// Write normals, or frames, into a copy of the mesh (obj, ply, gltf, glb) that they were read from.
+    ///
+    /// They are as many as the mesh has, in the order of `encode --help`, and get there as they are. Of all else in the file
+    /// every byte stays, as with `snap`. `decode --into` does the same from codes.
+    #[command(after_help = examples::of("write"))]
+    Write(write::Arguments),
     /// Measure the errors of codecs over the vectors or frames of your own meshes, normal maps and raw files.
     ///
     /// For each file and codec, and for all files together: mean, median, 99th percentile and maximum of the angles
@@ -132,6 +148,13 @@ enum Command {
     /// Find the cheapest codecs of vectors that meet a demand: --max-error, --bits or both.
     #[command(after_help = examples::of("choose"))]
     Choose(choose::Arguments),
+    /// Show your own mesh with its normals and with those that codecs decode to, on one page.
+    ///
+    /// For a mirror, a gloss and a matt surface: before and after, to slide between, the difference, and the error over the
+    /// surface as a heat map; with the errors of `unitvec error`. Node transforms, skins and normal maps are not applied.
+    #[cfg(feature = "render")]
+    #[command(after_help = examples::of("compare"), mut_args = hide_modules, mut_arg("samples", |one| one.default_value("3")))]
+    Compare(compare::Arguments),
     /// Draw the figures of the survey and of Meyer et al., error maps and charts, with their numbers.
     #[cfg(feature = "render")]
     #[command(after_help = examples::of("figures"), mut_args = hide_modules)]
@@ -172,12 +195,15 @@ impl Arguments {
             Command::Normals(arguments) => convert::normals(&arguments),
             Command::Snap(arguments) => snap::run(&arguments),
             Command::Texture(arguments) => texture::run(&arguments),
+            Command::Write(arguments) => write::run(&arguments),
             Command::Error(arguments) => error::run(&arguments),
             #[cfg(feature = "lab")]
             Command::Accuracy(arguments) => accuracy::run(&arguments),
             #[cfg(feature = "lab")]
             Command::Bench(arguments) => bench::run(&arguments),
             Command::Choose(arguments) => choose::run(&arguments),
+            #[cfg(feature = "render")]
+            Command::Compare(arguments) => compare::run(&arguments),
             #[cfg(feature = "render")]
             Command::Figures(arguments) => figures::run(&arguments),
             #[cfg(feature = "render")]

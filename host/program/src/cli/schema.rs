@@ -25,7 +25,10 @@ const SCHEMAS: &[Described] = &[
     ("normals", of::<summary::Reports>),
     ("snap", of::<summary::Reports<snap::Summary>>),
     ("texture", of::<summary::Reports<texture::Summary>>),
+    ("write", of::<summary::Reports>),
     ("error", of::<loss::Report>),
+    #[cfg(feature = "render")]
+    ("compare", of::<loss::Report>),
     ("choose", of::<choose::Report>),
     #[cfg(feature = "lab")]
     ("accuracy", of::<super::accuracy::Report>),

@@ -1,4 +1,4 @@
-//! What `encode`, `decode`, `normals` and `snap` say when they are done.
+//! What `encode`, `decode`, `normals`, `write` and `snap` say when they are done.
 
 use super::run::Json;
 use super::{counted, tell, to_json};
@@ -117,7 +117,7 @@ pub struct Report<S = Summary> {
 /// What was converted.
 #[derive(Serialize, schemars::JsonSchema)]
 pub struct Summary {
-    /// Codec; absent for `normals`.
+    /// Codec; absent for `normals` and `write`.
     #[serde(skip_serializing_if = "Option::is_none")]
     codec: Option<&'static str>,
     /// What was counted.
@@ -139,7 +139,7 @@ pub struct Summary {
     /// The least and the greatest length of vectors, or normals of frames, that have a direction.
     #[serde(skip_serializing_if = "Option::is_none")]
     lengths: Option<[f64; 2]>,
-    /// What the floats seem to be instead, and what the codec loses of them.
+    /// What the floats seem to be instead, what the codec loses of them, and that tangents were generated.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     warnings: Vec<String>,
     /// Vectors with z < 0, which a codec of the hemisphere moved up to z = 0.
@@ -242,14 +242,20 @@ impl Summary {
         }
     }
 
-    /// The summary of `unitvec decode`.
-    pub fn of_decoding(format: &AnyCodec, count: u64) -> Self {
-        Self { codec: Some(format.id), ..Self::new(format.element, count) }
+    /// The summary of what was written into a mesh, decoded where a codec is given.
+    pub fn of_writing(codec: Option<&AnyCodec>, element: Element, count: u64, warnings: Vec<String>) -> Self {
+        Self { codec: codec.map(|codec| codec.id), warnings, ..Self::new(element, count) }
     }
 
     /// The summary of `unitvec normals`, which filled so many normals with +Z.
     pub fn of_export(element: Element, counts: Counts, parts: Vec<Part>, filled: u64) -> Self {
         Self { filled: Some(filled), mesh: Some(parts.into()), ..Self::of_elements(element, counts) }
+    }
+
+    /// The summary with one more warning, if there is one.
+    pub fn noting(mut self, note: Option<String>) -> Self {
+        self.warnings.extend(note);
+        self
     }
 
     fn line(&self) -> String {

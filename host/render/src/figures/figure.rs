@@ -96,7 +96,7 @@ impl Shown {
         Self { file: file.into(), alt: alt.into(), size, content, ..Self::default() }
     }
 
-    pub(super) fn picture(file: impl Into<String>, alt: impl Into<String>, picture: RgbImage) -> Self {
+    pub(crate) fn picture(file: impl Into<String>, alt: impl Into<String>, picture: RgbImage) -> Self {
         Self::new(file, alt, Content::Pixels(picture))
     }
 

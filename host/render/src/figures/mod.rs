@@ -10,6 +10,7 @@ mod errors;
 mod figure;
 mod filtering;
 mod latlong;
+pub mod model;
 mod paint;
 mod pictures;
 mod points;

@@ -2,6 +2,7 @@
 //! agrees. It is one file, loads nothing and works without scripts.
 
 mod agreement;
+pub mod model;
 mod tables;
 mod viewer;
 
@@ -41,8 +42,11 @@ pub struct Contents {
 /// Files by their names.
 pub type Files = BTreeMap<String, Vec<u8>>;
 
-const TEMPLATES: [(&str, &str); 3] = [
+const TEMPLATES: [(&str, &str); 6] = [
     ("page.html", include_str!("page.html")),
+    ("model.html", include_str!("model.html")),
+    ("viewer.html", include_str!("viewer.html")),
+    ("viewer.js", include_str!("viewer.js")),
     ("page.css", include_str!("page.css")),
     ("page.js", include_str!("page.js")),
 ];
@@ -74,15 +78,15 @@ pub fn html(contents: &Contents, progress: &mut dyn FnMut()) -> Result<String> {
         pipeline => contents.pipeline.as_ref().ok().map(agreement::of_pipeline),
         no_pipeline => contents.pipeline.as_ref().err(),
     };
-    render(page).map_err(|error| Error::Page(error.to_string()))
+    render("page.html", page).map_err(|error| Error::Page(error.to_string()))
 }
 
-fn render(page: Value) -> Result<String, minijinja::Error> {
+fn render(name: &str, page: Value) -> Result<String, minijinja::Error> {
     let mut environment = Environment::new();
     environment.set_trim_blocks(true);
     environment.set_lstrip_blocks(true);
     environment.set_auto_escape_callback(|name| {
-        if name == "page.html" { AutoEscape::Html } else { AutoEscape::None }
+        if name.ends_with(".html") { AutoEscape::Html } else { AutoEscape::None }
     });
     environment.add_filter("degrees", |value: f64| unitvec_choose::degrees(value));
     environment.add_filter("json", |value: Value| Value::from_safe_string(json(&value)));
@@ -90,7 +94,7 @@ fn render(page: Value) -> Result<String, minijinja::Error> {
     for (name, text) in TEMPLATES {
         environment.add_template(name, text)?;
     }
-    environment.get_template("page.html")?.render(page)
+    environment.get_template(name)?.render(page)
 }
 
 /// HTML of a sentence with code between backticks.

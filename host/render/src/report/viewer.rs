@@ -24,9 +24,9 @@ pub struct Viewer {
 }
 
 #[derive(Serialize)]
-struct Picture {
-    uri: String,
-    words: String,
+pub struct Picture {
+    pub uri: String,
+    pub words: String,
 }
 
 /// Parts of a sheet are shown about as wide as this.
@@ -37,7 +37,7 @@ const WIDTH: u32 = 640;
 /// # Errors
 /// A picture that `files` lacks, or that does not match the figures.
 pub fn of(single: &[&Shown], sheets: &[&Shown], files: &Files) -> Result<Option<Viewer>> {
-    let mut viewer = Viewer { scale: 1, ..Viewer::default() };
+    let mut viewer = Viewer::whole();
     for shown in single {
         let (Some(of), Some(size)) = (&shown.of, shown.size) else { continue };
         let words = shown.differences.first().map_or_else(String::new, |one| one.difference.in_words());
@@ -66,8 +66,13 @@ fn words(sheet: &Shown, codec: &str) -> String {
 }
 
 impl Viewer {
-    /// The first picture's size is that of all.
-    fn add(&mut self, of: &Subject, [width, height]: [u32; 2], picture: Picture) {
+    /// A viewer of whole pictures, none so far.
+    pub fn whole() -> Self {
+        Self { scale: 1, ..Self::default() }
+    }
+
+    /// Adds a picture. The first one's size is that of all.
+    pub fn add(&mut self, of: &Subject, [width, height]: [u32; 2], picture: Picture) {
         let Subject { codec, material } = of;
         for (list, name) in [(&mut self.materials, material), (&mut self.codecs, codec)] {
             if !list.contains(name) {
@@ -81,7 +86,7 @@ impl Viewer {
     }
 
     /// `None` unless there are floats and all codecs with every material.
-    fn finish(mut self) -> Option<Self> {
+    pub fn finish(mut self) -> Option<Self> {
         let mut names = self
             .materials
             .iter()

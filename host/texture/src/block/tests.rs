@@ -139,7 +139,7 @@ fn odd_sizes_are_padded_and_wrong_ones_refused() {
         {
             assert_eq!(decode(&bytes[..length], width, height), None);
         }
-        assert_eq!(compress(&[], 0, 7, Pair::Oct, compression), []);
+        assert!(compress(&[], 0, 7, Pair::Oct, compression).is_empty());
         assert_eq!(decode(&[], 0, 7), Some(vec![]));
         // Texels without a direction, and those that are missing, are +Z.
         let none = compress(&[[f32::NAN; 3], [0.0; 3]], 3, 1, Pair::Oct, compression);

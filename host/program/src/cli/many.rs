@@ -1,0 +1,90 @@
+//! Many inputs, each with its output.
+
+use super::summary::{Options, Told};
+use super::{files_of, is_mesh, tell};
+use std::collections::{BTreeMap, HashSet};
+use std::path::{Path, PathBuf};
+use unitvec_files::is_same_file;
+use unitvec_host::{Error, Result};
+
+/// The inputs, those of folders among them, each with its output: OUT, or a file in the folder OUT, of its own name but for
+/// the ending. Without an ending, outputs are meshes, and keep their names.
+pub fn pairs(
+    inputs: &[PathBuf],
+    out: &Path,
+    is_wanted: fn(&Path) -> bool,
+    ending: Option<&str>,
+) -> Result<Vec<(PathBuf, PathBuf)>> {
+    let found = files_of(inputs, is_wanted)?;
+    if let ([input], false) = (inputs, out.is_dir()) {
+        if !input.is_dir() {
+            check_output(input, out, ending.is_none())?;
+            return Ok(vec![(input.clone(), out.to_owned())]);
+        }
+    }
+    if !out.is_dir() {
+        let words = format!(
+            "several inputs, or a folder, need a folder that exists as OUT; {} is none",
+            out.display()
+        );
+        return Err(Error::Usage(words));
+    }
+    // An output must not replace an input that is yet to be read.
+    let places: HashSet<PathBuf> = found.iter().filter_map(|input| input.canonicalize().ok()).collect();
+    let mut taken = BTreeMap::new();
+    for input in found {
+        let out = match ending {
+            Some(ending) => out.join(input.file_stem().unwrap_or_default()).with_extension(ending),
+            None => out.join(input.file_name().unwrap_or_default()),
+        };
+        check_output(&input, &out, ending.is_none())?;
+        if out.canonicalize().is_ok_and(|place| places.contains(&place)) {
+            return Err(Error::Usage(format!("{} is an input; name another folder", out.display())));
+        }
+        if let Some(other) = taken.insert(out.clone(), input.clone()) {
+            let [other, input] = [other, input].map(|path| path.display().to_string());
+            let words =
+                format!("{other} and {input} would both become {}; convert one by itself", out.display());
+            return Err(Error::Usage(words));
+        }
+    }
+    Ok(taken.into_iter().map(|(out, input)| (input, out)).collect())
+}
+
+/// Refuses an output that would replace the input or, if it is none, what is called a mesh: as where OUT was forgotten after
+/// `*.obj`.
+fn check_output(input: &Path, out: &Path, of_mesh: bool) -> Result<()> {
+    let is_input = is_same_file(input, out);
+    if is_input || (is_mesh(out) && !of_mesh) {
+        let what = if is_input { "the input" } else { "the name of a mesh" };
+        let message = format!("{} is {what}; give the output another name", out.display());
+        return Err(Error::Usage(message));
+    }
+    Ok(())
+}
+
+/// Converts each input to its output; `convert` says what is told of it, and whether it went to the standard output. One of several that fails does not stop the others.
+pub fn each<S: Told>(
+    summary: &Options,
+    pairs: &[(PathBuf, PathBuf)],
+    out: &Path,
+    mut convert: impl FnMut(&Path, &Path) -> Result<(S, bool)>,
+) -> Result<()> {
+    summary.spare(pairs)?;
+    let (mut done, mut failed) = (Vec::new(), 0);
+    for (input, out) in pairs {
+        match convert(input, out) {
+            Ok((one, to_stdout)) => done.push(summary.told(one, [input, out], pairs.len(), to_stdout)),
+            Err(error) if pairs.len() == 1 => return Err(error),
+            Err(error) => {
+                failed += 1;
+                tell(error);
+            }
+        }
+    }
+    summary.write(done, out)?;
+    match failed {
+        0 => Ok(()),
+        _ => Err(Error::Some { failed, all: pairs.len() }),
+    }
+}
