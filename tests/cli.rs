@@ -98,7 +98,8 @@ fn schemas_describe_what_is_written() {
     std::fs::write(&mesh, two_meshes()).unwrap();
     let (codes, back, mesh) = (path(&codes), path(&back), path(&mesh));
     let waves = repository().join("host/texture/data/waves.png");
-    let bunny = repository().join("host/mesh/data/bunny.obj");
+    let [bunny, torus] =
+        ["bunny.obj", "torus.glb"].map(|name| repository().join("host/mesh/data").join(name));
     let mut commands = vec![
         ("codecs", String::new()),
         ("encode", format!("--codec hemioct16 {mesh} {codes}")),
@@ -106,7 +107,7 @@ fn schemas_describe_what_is_written() {
         ("normals", format!("{mesh} {back}")),
         ("snap", format!("--for oct16 {mesh} {back}")),
         ("texture", format!("--codec hemioct16 {} {back}.ktx2", path(&waves))),
-        ("write", format!("--normals {mesh} {mesh} {back}")),
+        ("write", format!("--normals {} {} {back}.glb", torus.display(), torus.display())),
         (
             "compare",
             format!("--codec oct16 --view 1,0,0 --side 64 --samples 1 -o {back} {}", bunny.display()),

@@ -95,12 +95,12 @@ macro_rules! targets {
 }
 
 targets! {
-    obj: OBJ = "a.obj", seeds::obj, read_mesh, 14.0, FIXED + REFUSED + TANGENTS;
-    ply_ascii: PLY_ASCII = "ascii.ply", || seeds::ply(seeds::PLY_FORMATS[0]), read_mesh, 14.0, FIXED + LIST + REFUSED + TANGENTS;
-    ply_little_endian: PLY_LITTLE = "little.ply", || seeds::ply(seeds::PLY_FORMATS[1]), read_mesh, 14.0, FIXED + LIST + REFUSED + TANGENTS;
-    ply_big_endian: PLY_BIG = "big.ply", || seeds::ply(seeds::PLY_FORMATS[2]), read_mesh, 14.0, FIXED + LIST + REFUSED + TANGENTS;
-    gltf: GLTF = "a.gltf", seeds::gltf, read_mesh, 14.0, FIXED + ZEROS + TANGENTS;
-    glb: GLB = "a.glb", seeds::glb, read_mesh, 14.0, FIXED + ZEROS + TANGENTS;
+    obj: OBJ = "a.obj", seeds::obj, read_mesh, 12.0, FIXED + REFUSED + TANGENTS;
+    ply_ascii: PLY_ASCII = "ascii.ply", || seeds::ply(seeds::PLY_FORMATS[0]), read_mesh, 12.0, FIXED + LIST + REFUSED + TANGENTS;
+    ply_little_endian: PLY_LITTLE = "little.ply", || seeds::ply(seeds::PLY_FORMATS[1]), read_mesh, 12.0, FIXED + LIST + REFUSED + TANGENTS;
+    ply_big_endian: PLY_BIG = "big.ply", || seeds::ply(seeds::PLY_FORMATS[2]), read_mesh, 12.0, FIXED + LIST + REFUSED + TANGENTS;
+    gltf: GLTF = "a.gltf", seeds::gltf, read_mesh, 12.0, FIXED + ZEROS + TANGENTS;
+    glb: GLB = "a.glb", seeds::glb, read_mesh, 12.0, FIXED + ZEROS + TANGENTS;
     png: PNG = "a.png", || seeds::picture(ImageFormat::Png), read_texture, 2.5, FIXED + PICTURE;
     tga: TGA = "a.tga", || seeds::picture(ImageFormat::Tga), read_texture, 2.5, FIXED + PICTURE;
     exr: EXR = "a.exr", || seeds::picture(ImageFormat::OpenExr), read_texture, 2.5, FIXED + PICTURE;

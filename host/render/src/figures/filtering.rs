@@ -21,7 +21,8 @@ fn colour(degrees: f64) -> paint::Colour {
 
 fn cell(map: &Map, side: u32) -> Cell {
     let view = paint::of_domain(map.domain);
-    let picture = paint::disc(side, 2, view, |v: DVec3| colour(map.midpoint_deg(v, APART, LINES)));
+    let colour = |v: DVec3| colour(map.midpoint_deg(v, APART, LINES));
+    let picture = paint::coarse(paint::disc(side, 2, view, colour));
     Cell { picture, lines: vec![map.name.to_owned()] }
 }
 
