@@ -2,8 +2,9 @@
 //!
 //! The parser is our own, over the file's bytes: crates for it keep 40 bytes for a corner that takes two in the file.
 
+use super::faces::{Fan, Positions, Sums};
 use super::format::without_mark;
-use super::{Fan, Mesh, MeshError, Positions, Shape, Sums, check_finite, list_of, one_part, parse_error};
+use super::{Mesh, MeshError, Shape, check_finite, list_of, one_part, parse_error};
 use glam::Vec3;
 use std::collections::HashMap;
 use std::path::Path;

@@ -10,9 +10,8 @@ use ply_rs_bw::ply::{
 
 use glam::DVec3;
 
-use super::{
-    Fan, Mesh, MeshError, Positions, Shape, Sums, check_finite, list_of, one_part, parse_error, resolve,
-};
+use super::faces::{Fan, Positions, Sums, resolve};
+use super::{Mesh, MeshError, Shape, check_finite, list_of, one_part, parse_error};
 
 pub(super) const FORMAT: &str = "PLY";
 

@@ -1,6 +1,7 @@
 //! Meshes as renderers take them, and tangents for their vertices.
 
-use crate::{Frames, MeshError, Part, Positions, Sums, list_of};
+use crate::faces::{Positions, Sums};
+use crate::{Frames, MeshError, Part, list_of};
 use glam::Vec3;
 use std::collections::HashMap;
 use std::path::Path;

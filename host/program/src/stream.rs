@@ -237,10 +237,10 @@ pub fn decode(
     progress: &mut dyn FnMut(u64),
 ) -> Result<u64> {
     let floats = format.element.floats();
-    let mut elements = vec![0.0; CHUNK * floats];
+    let (mut codes, mut elements) = (Vec::new(), vec![0.0; CHUNK * floats]);
     let mut done = 0;
     loop {
-        let count = decode_next(backend, format, null, &mut input, &mut elements, done)?;
+        let count = decode_next(backend, (format, null), &mut input, &mut codes, &mut elements, done)?;
         if count == 0 {
             return Ok(done);
         }
@@ -252,21 +252,22 @@ pub fn decode(
     }
 }
 
-/// Fills a buffer with as many of the next elements as there are codes of, after so many `before`. Returns their number.
+/// Fills a buffer with as many of the next elements as there are codes of, after so many `before`. Returns their number. `codes`
+/// keeps its room from call to call.
 ///
 /// # Errors
 /// The errors of [`decode`], but for those of writing.
 pub fn decode_next(
     backend: &mut dyn Backend,
-    format: &AnyCodec,
-    null: Option<Null<'_>>,
+    (format, null): (&AnyCodec, Option<Null<'_>>),
     input: &mut Input<'_>,
+    codes: &mut Vec<u8>,
     elements: &mut [f32],
     before: u64,
 ) -> Result<usize> {
     let floats = format.element.floats();
-    let mut codes = vec![0; elements.len() / floats * format.bytes];
-    let count = read_elements(input, &mut codes, format.bytes, "codes", before)?;
+    codes.resize(elements.len() / floats * format.bytes, 0);
+    let count = read_elements(input, codes, format.bytes, "codes", before)?;
     let (codes, elements) = (&codes[..count * format.bytes], &mut elements[..count * floats]);
     backend.decode(format, codes, elements)?;
     null.map_or(Ok(()), |null| null.clear(codes, elements))?;

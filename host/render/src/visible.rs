@@ -10,6 +10,7 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use unitvec_catalogue::AnyCodec;
 use unitvec_choose::seen::{Colour, Lobe, pixel_angle};
+use unitvec_oracle::angle_deg;
 
 /// A pixel that shows a surface. All vectors have unit length.
 #[derive(Clone, Copy, Debug)]
@@ -39,11 +40,6 @@ pub fn sphere(renderer: &mut Renderer, codec: &'static AnyCodec) -> Result<Vec<P
         }));
     }
     Ok(pixels)
-}
-
-/// The angle between two directions, precise for small ones too.
-fn angle(a: DVec3, b: DVec3) -> f64 {
-    a.cross(b).length().atan2(a.dot(b))
 }
 
 /// Lights, one at a time, and the points of each.
@@ -115,7 +111,7 @@ impl Light {
 pub fn largest_shift(pixels: &[Pixel], height: u32, fov_degrees: f64) -> f64 {
     let moved = |Pixel { normal, decoded, to_eye }: &Pixel| {
         let [a, b] = [normal, decoded].map(|normal| *normal * (2.0 * normal.dot(*to_eye)) - *to_eye);
-        angle(a, b)
+        angle_deg(a.to_array(), b.to_array()).to_radians()
     };
     pixels.iter().map(moved).fold(0.0, f64::max) / pixel_angle(height, fov_degrees)
 }

@@ -6,12 +6,6 @@ use crate::{Error, NormalMap, Pair, Result};
 use rayon::prelude::*;
 use unitvec_catalogue::AnyCodec;
 
-const COMPRESSIONS: [(Compression, &str); 3] = [
-    (Compression::Bc5Unorm, "BC5_UNORM_BLOCK"),
-    (Compression::Bc5Snorm, "BC5_SNORM_BLOCK"),
-    (Compression::Bc7, "BC7_UNORM_BLOCK"),
-];
-
 /// The codes of a codec of vectors, in the texels of a format.
 #[derive(Clone, Copy, Debug)]
 pub struct Coding {
@@ -77,17 +71,14 @@ impl Coding {
                 return Err(Error::Codec { codec: codec.id, what });
             }
         };
-        let name = COMPRESSIONS.iter().find(|(other, _)| *other == compression);
-        let Some(format) = name.and_then(|(_, name)| named(name)) else {
-            unreachable!("a test compresses to each")
-        };
+        let Some(format) = named(compression.name()) else { unreachable!("a test compresses to each") };
         Ok(Self { codec, format, bias: 0, spare: None, blocks: Some((pair, compression)) })
     }
 
     /// The coding that a file in this format has of the codec, if it can have one.
     pub fn reading(codec: &'static AnyCodec, format: &Format) -> Option<Self> {
         let texels = [false, true].into_iter().map(|unorm| Self::of(codec, unorm));
-        let blocks = COMPRESSIONS.into_iter().map(|(compression, _)| Self::compressed(codec, compression));
+        let blocks = Compression::ALL.map(|compression| Self::compressed(codec, compression));
         texels.chain(blocks).flatten().find(|coding| coding.format.vulkan == format.vulkan)
     }
 

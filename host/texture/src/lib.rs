@@ -45,6 +45,11 @@ impl NormalMap {
     }
 }
 
+/// The length of a vector.
+fn length(vector: &[f32; 3]) -> f64 {
+    vector.iter().map(|c| f64::from(*c).powi(2)).sum::<f64>().sqrt()
+}
+
 /// Levels of texels in one format, as KTX2 and DDS files hold them.
 #[derive(Clone, Debug)]
 pub struct Texture {

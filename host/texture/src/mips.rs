@@ -1,6 +1,6 @@
 //! Mips: vectors averaged as vectors, and the roughness of what their mean loses.
 
-use crate::NormalMap;
+use crate::{NormalMap, length};
 use rayon::prelude::*;
 
 /// A level: the means of the unit vectors that its texels cover, which are shorter than 1 where these differ.
@@ -16,7 +16,6 @@ impl Level {
     fn of(width: u32, height: u32, means: &[[f32; 3]], alpha: Option<Vec<f32>>) -> Self {
         /// The mean of unit vectors in f32 that cancel each other out.
         const NONE: f64 = 1e-6;
-        let length = |v: &[f32; 3]| v.iter().map(|c| f64::from(*c).powi(2)).sum::<f64>().sqrt();
         let direction = |v: &[f32; 3]| match length(v) {
             length if length > NONE => v.map(|c| (f64::from(c) / length) as f32),
             _ => [0.0, 0.0, 1.0],

@@ -2,7 +2,7 @@
 
 use crate::format::Numbers;
 use crate::picture::Raw;
-use crate::{Coding, Error, NormalMap, Result, Texture, dds, ktx2, picture};
+use crate::{Coding, Error, NormalMap, Result, Texture, dds, ktx2, length, picture};
 use image::ImageFormat;
 use std::path::Path;
 use unitvec_catalogue::{AnyCodec, find_vector};
@@ -107,7 +107,7 @@ fn normalised(raw: Raw, codec: Option<&'static AnyCodec>, y: Option<String>) -> 
     let (mut filled, mut lengths) = (0, None);
     let is_unit = codec.is_some_and(|codec| codec.is_unit);
     for vector in map.vectors.iter_mut().filter(|_| !is_unit) {
-        let length = vector.iter().map(|c| f64::from(*c).powi(2)).sum::<f64>().sqrt();
+        let length = length(vector);
         if !(length >= LEAST && length.is_finite()) || is_biased && length > GREATEST {
             filled += 1;
             *vector = [0.0, 0.0, 1.0];

@@ -93,10 +93,9 @@ pub enum Stored {
 impl Stored {
     /// All that are measured: each pair in each format of blocks, and codecs of 8 and 16 bits.
     pub fn all() -> Vec<Self> {
-        let formats = [Compression::Bc5Unorm, Compression::Bc5Snorm, Compression::Bc7];
         let blocks = [Pair::Xy, Pair::Hemioct, Pair::Oct]
             .into_iter()
-            .flat_map(|pair| formats.map(|format| Self::Blocks(pair, format)));
+            .flat_map(|pair| Compression::ALL.map(|format| Self::Blocks(pair, format)));
         let codes = ["oct8p", "xyonly16", "hemioct16p", "oct16p"].into_iter().filter_map(|id| find(id).ok());
         blocks.chain(codes.map(Self::Codes)).collect()
     }
@@ -111,12 +110,7 @@ impl Stored {
                     Pair::Hemioct => "hemioct",
                     Pair::Oct => "oct",
                 };
-                let format = match format {
-                    Compression::Bc5Unorm => "BC5_UNORM",
-                    Compression::Bc5Snorm => "BC5_SNORM",
-                    Compression::Bc7 => "BC7_UNORM",
-                };
-                (pair, format, 8)
+                (pair, format.name().trim_end_matches("_BLOCK"), 8)
             }
         }
     }

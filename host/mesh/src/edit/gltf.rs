@@ -2,9 +2,10 @@
 
 use super::{Attribute, Beside, CHUNK, Change, Edited, Splice, no_normals, not_movable, shortest, span};
 use crate::format::without_mark;
+use crate::gltf::accessor::extents;
 use crate::gltf::buffers::file_of;
 use crate::gltf::document::check_not_compressed;
-use crate::gltf::{FORMAT, File, chunks, extents, load, short};
+use crate::gltf::{FORMAT, File, chunks, load, short};
 use crate::{MeshError, Reach, parse_error};
 use ::gltf::Semantic::{Normals, Tangents};
 use ::gltf::accessor::{DataType, Dimensions};

@@ -2,8 +2,9 @@
 
 use super::document::Primitive;
 use super::{File, load, triangles};
+use crate::faces::resolve;
 use crate::shape::Shape;
-use crate::{MeshError, Reach, list_of, resolve};
+use crate::{MeshError, Reach, list_of};
 use ::gltf::Semantic::{self, Normals, Positions, TexCoords};
 use ::gltf::accessor::{Dimensions, Item};
 use std::collections::{HashMap, HashSet};

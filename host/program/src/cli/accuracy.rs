@@ -179,13 +179,19 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     Ok(open.close())
 }
 
+/// Refuses the options of the tables of codecs.
+fn refuse_others(arguments: &Arguments, table: &str) -> Result<()> {
+    match arguments.float64 || arguments.chart.is_some() || arguments.backend != BackendKind::Cpu {
+        true => Err(Error::Usage(format!(
+            "--table {table} has no chart, and the CPU alone measures it; leave out --chart, --float64 and --backend"
+        ))),
+        false => Ok(()),
+    }
+}
+
 /// The table of blocks.
 fn compress(arguments: &Arguments, is_quiet: bool) -> Result<ExitCode> {
-    if arguments.float64 || arguments.chart.is_some() || arguments.backend != BackendKind::Cpu {
-        let words =
-            "blocks have no chart, and the CPU alone makes them; leave out --chart, --float64 and --backend";
-        return Err(Error::Usage(words.to_owned()));
-    }
+    refuse_others(arguments, "blocks")?;
     let columns = vec![
         left("map", 7),
         left("codec", 10),
@@ -237,9 +243,7 @@ const BLOCKS_LEGEND: &str = "errors in degrees, of maps of 512 by 512 normals; b
 
 /// The table of filtering.
 fn filter(arguments: &Arguments, is_quiet: bool) -> Result<ExitCode> {
-    if arguments.chart.is_some() {
-        return Err(Error::Usage("--chart draws other tables; leave it out".to_owned()));
-    }
+    refuse_others(arguments, "filtering")?;
     let mut columns = vec![left("map", 17), left("channel", 7), left("region", 6)];
     columns.extend(["mean", "max", "torn"].map(|heading| right(heading, 9)));
     columns.extend(["decoded mean", "decoded max"].map(|heading| right(heading, 12).rank(1)));

@@ -383,9 +383,9 @@ impl Conversion<'_> {
         count: Option<u64>,
     ) -> Result<(u64, Vec<String>)> {
         let (path, null) = (self.input, self.null);
-        let mut input: stream::Input<'_> = Named::new(path, input);
+        let (mut input, mut codes): (stream::Input<'_>, _) = (Named::new(path, input), Vec::new());
         let mut fill = |elements: &mut [f32], before| {
-            stream::decode_next(self.backend, format, null, &mut input, elements, before)
+            stream::decode_next(self.backend, (format, null), &mut input, &mut codes, elements, before)
         };
         let source = Source { path, count, fill: &mut fill };
         let (Written { count, mut warnings }, edited) = put(mesh, format.element, reach, source)?;

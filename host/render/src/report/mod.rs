@@ -42,11 +42,12 @@ pub struct Contents {
 /// Files by their names.
 pub type Files = BTreeMap<String, Vec<u8>>;
 
-const TEMPLATES: [(&str, &str); 6] = [
+const TEMPLATES: [(&str, &str); 7] = [
     ("page.html", include_str!("page.html")),
     ("model.html", include_str!("model.html")),
     ("viewer.html", include_str!("viewer.html")),
     ("viewer.js", include_str!("viewer.js")),
+    ("head.html", include_str!("head.html")),
     ("page.css", include_str!("page.css")),
     ("page.js", include_str!("page.js")),
 ];

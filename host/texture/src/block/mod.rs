@@ -35,6 +35,19 @@ pub enum Compression {
 }
 
 impl Compression {
+    /// All three.
+    pub const ALL: [Self; 3] = [Self::Bc5Unorm, Self::Bc5Snorm, Self::Bc7];
+
+    /// Vulkan's name of the format, after `VK_FORMAT_`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Bc5Unorm => "BC5_UNORM_BLOCK",
+            Self::Bc5Snorm => "BC5_SNORM_BLOCK",
+            Self::Bc7 => "BC7_UNORM_BLOCK",
+        }
+    }
+
     /// The end points of a channel.
     fn range(self) -> Range {
         match self {
