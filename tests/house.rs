@@ -12,7 +12,8 @@ const MOST_LINES: usize = 15_000;
 fn crates() -> Vec<(String, PathBuf)> {
     let host = fs::read_dir(repository().join("host")).unwrap();
     let host = host.map(|entry| format!("host/{}", entry.unwrap().file_name().to_string_lossy()));
-    let others = ["shader-crate", "catalogue", "oracle", "languages", "c", "bench", "xtask", "xtask/spirv"];
+    let others =
+        ["shader-crate", "catalogue", "oracle", "languages", "c", "python", "bench", "xtask", "xtask/spirv"];
     let names = others.into_iter().map(str::to_owned).chain(host);
     let crates: Vec<_> = names.map(|name| (repository().join(&name).join("src"), name)).collect();
     let crates = crates.into_iter().filter(|(source, _)| source.is_dir());

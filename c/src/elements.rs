@@ -3,9 +3,8 @@
 use crate::Status;
 use std::ffi::c_void;
 use std::ops::Range;
-use unitvec::direction::is_usable;
 use unitvec::slice::LengthMismatch;
-use unitvec_catalogue::{AnyCodec, Operation};
+use unitvec_catalogue::{AnyCodec, Operation, has_direction, round};
 
 /// Numbers of elements are `float`.
 pub const UNITVEC_FLOAT32: u32 = 4;
@@ -126,7 +125,9 @@ impl Portion {
         let width = codec.element.floats();
         let floats = &mut self.floats[..count * width];
         if scalar == UNITVEC_FLOAT64 {
-            self.doubles.chunks(width).zip(floats.chunks_mut(width)).for_each(|(from, to)| round(from, to));
+            // Handedness is a number by itself.
+            let parts = |from: &[f64], to: &mut [f32]| round(from, to, codec.element.part_floats());
+            self.doubles.chunks(width).zip(floats.chunks_mut(width)).for_each(|(from, to)| parts(from, to));
         }
         codec.encode_here(floats, &mut self.codes[..count * codec.bytes])?;
         Ok(floats.chunks(width).filter(|element| !has_direction(&element[..3])).count())
@@ -138,20 +139,5 @@ impl Portion {
         codec.decode_here(&self.codes[..count * codec.bytes], floats)?;
         self.doubles.iter_mut().zip(floats).for_each(|(double, float)| *double = f64::from(*float));
         Ok(0)
-    }
-}
-
-fn has_direction(vector: &[f32]) -> bool {
-    is_usable(vector.iter().map(|component| component.abs()).sum())
-}
-
-/// Rounds an element to floats. A vector whose direction they would not hold is divided by its largest component first.
-fn round(from: &[f64], to: &mut [f32]) {
-    to.iter_mut().zip(from).for_each(|(to, from)| *to = *from as f32);
-    for (from, to) in from.chunks(3).zip(to.chunks_mut(3)).filter(|(_, to)| !has_direction(to)) {
-        let largest = from.iter().fold(0.0, |largest: f64, component| largest.max(component.abs()));
-        if largest > 0.0 && largest.is_finite() {
-            to.iter_mut().zip(from).for_each(|(to, from)| *to = (from / largest) as f32);
-        }
     }
 }

@@ -8,9 +8,8 @@ use crate::elements::{Array, Arrays, PORTION, Portion};
 use crate::{Codec, Elements, Status};
 use std::ffi::{CStr, c_char, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::atomic::{AtomicU32, Ordering};
-use std::{process, ptr, slice};
-use unitvec_catalogue::{AnyCodec, Operation};
+use std::{ptr, slice};
+use unitvec_catalogue::{AnyCodec, Operation, has_threads};
 
 /// The codec, of vectors or of frames, with an identifier, such as "oct32p". NULL where there is none, and for NULL. `id` must be
 /// NULL or a string that ends with a zero.
@@ -171,15 +170,6 @@ unsafe fn copy(from: Array, to: Array, count: usize) {
         8 => copy(8),
         size => copy(size),
     }
-}
-
-/// True in the process whose first parallel call starts the threads: a fork has none of them, and would wait for ever.
-fn has_threads() -> bool {
-    static STARTED_IN: AtomicU32 = AtomicU32::new(0);
-    // Only Unix forks, and not every other system has numbers for processes.
-    let own = if cfg!(unix) { process::id() } else { 1 };
-    let before = STARTED_IN.compare_exchange(0, own, Ordering::Relaxed, Ordering::Relaxed);
-    before.map_or_else(|process| process == own, |_| true)
 }
 
 /// Does nothing where `count` is 0: then the addresses are not used.

@@ -15,6 +15,7 @@
 //! about a minute on two cores. With the feature `serde`, [`AnyCodec`], [`Element`] and [`Operation`] can be serialised;
 //! with `schemars`, they have JSON schemas.
 
+mod callers;
 mod cpu;
 mod formats;
 #[cfg(feature = "serde")]
@@ -35,6 +36,7 @@ use unitvec::{Codec, Listed, ListedFrame, ListedRotation, angle_deg, rotation_an
 #[cfg(doc)]
 use unitvec::{FrameCodec, RotationCodec};
 
+pub use callers::{has_threads, round};
 pub use cpu::best_fit_table;
 pub use formats::{find_any, formats};
 pub use list::{CODECS, directions, frames, rotations, vectors};

@@ -1,6 +1,6 @@
 //! Codecs of [`unitvec::wrap`], and what the error of an element is.
 
-use crate::{AnyCodec, Element};
+use crate::{AnyCodec, Element, angle_between_parts_deg, has_direction};
 use unitvec::{Axial16, Axial24, Axial32, Vector32, Vector48};
 
 /// Codecs of axes and of vectors with a length, which [`CODECS`](crate::CODECS) does not have. No backend but the CPU has
@@ -40,6 +40,23 @@ impl AnyCodec {
 }
 
 impl Measure {
+    /// True where a part of an element has what is measured: a usable direction or, for relative errors, finite components.
+    pub fn takes(self, part: &[f32]) -> bool {
+        if self == Self::Relative { part.iter().all(|c| c.is_finite()) } else { has_direction(part) }
+    }
+
+    /// The error of a part of an element, `d` decoded for `v`. `None` where `v` cannot be measured, and where a vector of zero came
+    /// back as another one.
+    pub fn error(self, v: &[f32], d: &[f32]) -> Option<f64> {
+        let angle = || angle_between_parts_deg(v, d);
+        match self {
+            _ if !self.takes(v) => None,
+            Self::Angle => Some(angle()),
+            Self::Axis => Some(90.0 - (angle() - 90.0).abs()),
+            Self::Relative => relative_error(v, d),
+        }
+    }
+
     /// The names of the parts of an element that have an error.
     pub const fn parts(self, element: Element) -> &'static [&'static str] {
         match (element, self) {
@@ -48,4 +65,13 @@ impl Measure {
             (Element::Frame | Element::Rotation, _) => element.directions(),
         }
     }
+}
+
+/// `|d - v| / |v|`: 0 where both are zero, and nothing where only v is.
+fn relative_error(v: &[f32], d: &[f32]) -> Option<f64> {
+    let length = |of: fn(f64, f64) -> f64| {
+        v.iter().zip(d).map(|(v, d)| of((*v).into(), (*d).into()).powi(2)).sum::<f64>().sqrt()
+    };
+    let (off, length) = (length(|v, d| d - v), length(|v, _| v));
+    if off == 0.0 { Some(0.0) } else { (length > 0.0).then(|| off / length) }
 }

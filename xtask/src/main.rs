@@ -1,4 +1,4 @@
-//! `cargo xtask`: set-up, conform, test, spirv, shaders, examples, processors, windows, interop, renew, packages and
+//! `cargo xtask`: set-up, conform, test, spirv, shaders, examples, processors, windows, interop, python, renew, packages and
 //! dist, each ending in a clear verdict.
 //!
 //! No dependencies, so that it starts at once on a fresh machine.
@@ -10,6 +10,7 @@ mod interop;
 mod languages;
 mod packages;
 mod processors;
+mod python;
 mod renew;
 mod setup;
 #[cfg(test)]
@@ -42,6 +43,7 @@ fn main() -> ExitCode {
         "processors" => processors::run(rest),
         "windows" => windows::run(rest),
         "interop" => interop::run(rest),
+        "python" => python::run(rest),
         "renew" => renew::run(rest),
         "dist" => dist::run(rest),
         "packages" => setup::run().and_then(|()| packages::run()),

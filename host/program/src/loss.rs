@@ -8,7 +8,7 @@ use crate::{Error, Result};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::path::Path;
-use unitvec_catalogue::{AnyCodec, Element, Measure, angle_between_parts_deg, has_direction};
+use unitvec_catalogue::{AnyCodec, Element, Measure};
 use unitvec_run::backend::{Backend, CHUNK};
 
 /// The errors of one codec over one file, or over all of them.
@@ -238,7 +238,7 @@ impl Meter {
                 let mut elements = originals.to_vec();
                 let pairs = elements.chunks_exact_mut(element.floats()).zip(decoded.chunks(element.floats()));
                 pairs
-                    .filter(|(_, made)| !is_measured(part_of(made, element, part), measure))
+                    .filter(|(_, made)| !measure.takes(part_of(made, element, part)))
                     .for_each(|(original, _)| original.fill(f32::NAN));
                 let elements = &elements;
                 let id = AS_IT_IS;
@@ -308,16 +308,11 @@ impl Chunk<'_> {
 
     fn error(&self, original: &[f32], decoded: &[f32]) -> Option<f64> {
         let mut parts = self.element.parts(original).take(self.part + 1);
-        if !parts.all(|part| is_measured(part, self.measure)) {
+        if !parts.all(|part| self.measure.takes(part)) {
             return None;
         }
         let [v, d] = [original, decoded].map(|floats| part_of(floats, self.element, self.part));
-        let angle = || angle_between_parts_deg(v, d);
-        match self.measure {
-            Measure::Angle => Some(angle()),
-            Measure::Axis => Some(90.0 - (angle() - 90.0).abs()),
-            Measure::Relative => relative_error(v, d),
-        }
+        self.measure.error(v, d)
     }
 
     fn worst(&self, at: usize) -> Worst {
@@ -336,20 +331,6 @@ impl Chunk<'_> {
 fn part_of(floats: &[f32], element: Element, part: usize) -> &[f32] {
     let each = element.part_floats();
     &floats[each * part..][..each]
-}
-
-/// True where a part of an element has what is measured: a usable direction or, for relative errors, finite components.
-fn is_measured(part: &[f32], measure: Measure) -> bool {
-    if measure == Measure::Relative { part.iter().all(|c| c.is_finite()) } else { has_direction(part) }
-}
-
-/// `|d - v| / |v|`: 0 where both are zero, and nothing where only v is.
-fn relative_error(v: &[f32], d: &[f32]) -> Option<f64> {
-    let length = |of: fn(f64, f64) -> f64| {
-        v.iter().zip(d).map(|(v, d)| of((*v).into(), (*d).into()).powi(2)).sum::<f64>().sqrt()
-    };
-    let (off, length) = (length(|v, d| d - v), length(|v, _| v));
-    if off == 0.0 { Some(0.0) } else { (length > 0.0).then(|| off / length) }
 }
 
 /// Low bits of an error, as f32, that its bin disregards: the bins are 2^-11 of their errors wide, so that their middles

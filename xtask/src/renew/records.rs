@@ -6,8 +6,8 @@
 
 use super::state::matches;
 use crate::{
-    built, cache, cargo, conform, drivers, integration, interop, languages, processors, program, repository,
-    run, shaders, spirv, windows, write,
+    built, cache, cargo, conform, drivers, integration, interop, languages, processors, program, python,
+    repository, run, shaders, spirv, windows, write,
 };
 use std::ffi::OsString;
 use std::fs;
@@ -364,6 +364,23 @@ pub static RECORDS: &[Record] = &[
         minutes: 2,
         needs: "Linux on amd64, npm, which it installs, and 300 MB of packages, which it fetches",
         renew: || interop::run(&["--record".to_owned()]),
+        ..RUN
+    },
+    Record {
+        name: "python",
+        from: "the Python package from its archive, its tests, and the program beside it: a run that leaves no file",
+        inputs: &[
+            CODECS,
+            &[
+                Code("catalogue/src/*.rs python/src/*.rs"),
+                Bytes(
+                    "python/*.py python/Cargo.toml python/pyproject.toml python/README.md python/requirements.txt",
+                ),
+            ],
+        ],
+        minutes: 4,
+        needs: "Linux, Python 3.9 or newer, and packages of PyPI, which it fetches",
+        renew: || python::run(&[]),
         ..RUN
     },
     Record {

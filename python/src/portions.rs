@@ -1,0 +1,171 @@
+//! Arrays in portions: rounded, encoded and widened one after the other, or on several threads.
+
+use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+use rayon::slice::ParallelSliceMut;
+use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
+use std::borrow::Cow;
+use unitvec_catalogue::{AnyCodec, Null, has_threads, round};
+
+/// Elements of a portion. The slices of `unitvec` prefetch from 1 MiB of floats on.
+const PORTION: usize = 1 << 17;
+
+/// The only error: arrays of different lengths, which `__init__.py` never passes.
+type Result = std::result::Result<(), Box<dyn std::error::Error + Send + Sync>>;
+
+/// Floats of elements, without gaps.
+#[derive(Clone, Copy)]
+pub enum Floats<'a> {
+    Single(&'a [f32]),
+    Double(&'a [f64]),
+}
+
+impl<'a> Floats<'a> {
+    fn len(self) -> usize {
+        match self {
+            Self::Single(floats) => floats.len(),
+            Self::Double(floats) => floats.len(),
+        }
+    }
+
+    /// The floats of the portion of this index, of `size` floats but the last one.
+    fn portion(self, index: usize, size: usize, part: usize) -> Cow<'a, [f32]> {
+        let range = index * size..self.len().min((index + 1) * size);
+        match self {
+            Self::Single(floats) => Cow::Borrowed(&floats[range]),
+            Self::Double(doubles) => {
+                let mut floats = vec![0.0; range.len()];
+                // Handedness, the last float of frames, is a part by itself.
+                let frames = floats.chunks_mut(size / PORTION).zip(doubles[range].chunks(size / PORTION));
+                frames.for_each(|(floats, doubles)| round(doubles, floats, part));
+                Cow::Owned(floats)
+            }
+        }
+    }
+}
+
+/// Threads to work on.
+pub enum Pool {
+    /// The calling one.
+    Here,
+    /// All cores, by rayon's own threads.
+    Shared,
+    Own(ThreadPool),
+}
+
+impl Pool {
+    /// All cores for `None`, unless this process was forked from one whose threads had been started.
+    pub fn of(threads: Option<usize>) -> std::result::Result<Self, ThreadPoolBuildError> {
+        match threads {
+            Some(0 | 1) => Ok(Self::Here),
+            Some(number) => ThreadPoolBuilder::new().num_threads(number).build().map(Self::Own),
+            None if has_threads() => Ok(Self::Shared),
+            None => Ok(Self::Here),
+        }
+    }
+
+    /// Runs a function for each portion of `size` values, with its index.
+    fn run<T: Send>(
+        &self,
+        output: &mut [T],
+        size: usize,
+        each: impl Fn(usize, &mut [T]) -> Result + Sync,
+    ) -> Result {
+        let in_parallel = |output: &mut [T]| {
+            output.par_chunks_mut(size).enumerate().try_for_each(|(index, portion)| each(index, portion))
+        };
+        match self {
+            Self::Here => {
+                output.chunks_mut(size).enumerate().try_for_each(|(index, portion)| each(index, portion))
+            }
+            Self::Shared => in_parallel(output),
+            Self::Own(pool) => pool.install(|| in_parallel(output)),
+        }
+    }
+}
+
+/// Encodes elements to little-endian codes in `item` bytes each.
+pub fn encode(
+    codec: &AnyCodec,
+    floats: Floats<'_>,
+    (codes, item): (&mut [u8], usize),
+    null: Option<Null<'_>>,
+    pool: &Pool,
+) -> Result {
+    let (size, part) = (PORTION * codec.element.floats(), codec.element.part_floats());
+    pool.run(codes, PORTION * item, |index, codes| {
+        let floats = floats.portion(index, size, part);
+        let encode = |codes: &mut [u8]| {
+            codec.encode_here(&floats, codes)?;
+            null.map_or(Ok(0), |null| null.put(&floats, codes)).map(drop)
+        };
+        if item == codec.bytes {
+            return Ok(encode(codes)?);
+        }
+        let mut packed = vec![0; codes.len() / item * codec.bytes];
+        encode(&mut packed)?;
+        codes.fill(0);
+        copy_each((&packed, codec.bytes), (codes, item), codec.bytes);
+        Ok(())
+    })
+}
+
+/// Decodes little-endian codes in `item` bytes each.
+pub fn decode(
+    codec: &AnyCodec,
+    (codes, item): (&[u8], usize),
+    elements: &mut [f32],
+    null: Option<Null<'_>>,
+    pool: &Pool,
+) -> Result {
+    pool.run(elements, PORTION * codec.element.floats(), |index, elements| {
+        let codes = codes.chunks(PORTION * item).nth(index).unwrap_or_default();
+        let packed = match item == codec.bytes {
+            true => Cow::Borrowed(codes),
+            false => {
+                let mut packed = vec![0; codes.len() / item * codec.bytes];
+                copy_each((codes, item), (&mut packed, codec.bytes), codec.bytes);
+                Cow::Owned(packed)
+            }
+        };
+        codec.decode_here(&packed, elements)?;
+        Ok(null.map_or(Ok(()), |null| null.clear(&packed, elements))?)
+    })
+}
+
+/// Copies the first `size` bytes of each value to those of another array, whose values are of another size.
+fn copy_each((from, from_size): (&[u8], usize), (to, to_size): (&mut [u8], usize), size: usize) {
+    let copy = |size, to: &mut [u8]| {
+        let pairs = from.chunks_exact(from_size).zip(to.chunks_exact_mut(to_size));
+        pairs.for_each(|(from, to)| to[..size].copy_from_slice(&from[..size]));
+    };
+    // Copies of known size are single instructions.
+    match size {
+        3 => copy(3, to),
+        6 => copy(6, to),
+        size => copy(size, to),
+    }
+}
+
+/// The error of each part of each element.
+pub fn error(codec: &AnyCodec, floats: Floats<'_>, errors: &mut [f64], pool: &Pool) -> Result {
+    let (width, part) = (codec.element.floats(), codec.element.part_floats());
+    let parts = codec.element.directions().len();
+    pool.run(errors, PORTION * parts, |index, errors| {
+        let floats = floats.portion(index, PORTION * width, part);
+        let mut codes = vec![0; floats.len() / width * codec.bytes];
+        let mut decoded = vec![0.0; floats.len()];
+        codec.encode_here(&floats, &mut codes)?;
+        codec.decode_here(&codes, &mut decoded)?;
+        let elements = floats.chunks_exact(width).zip(decoded.chunks_exact(width));
+        for ((element, decoded), errors) in elements.zip(errors.chunks_exact_mut(parts)) {
+            let pairs = codec.element.parts(element).zip(codec.element.parts(decoded));
+            let mut is_whole = true;
+            for ((v, d), error) in pairs.zip(errors) {
+                let measured = codec.measure().error(v, d).filter(|_| is_whole);
+                is_whole = measured.is_some();
+                *error = measured.unwrap_or(f64::NAN);
+            }
+        }
+        Ok(())
+    })
+}

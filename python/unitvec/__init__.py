@@ -1,0 +1,247 @@
+"""Unit vectors, tangent frames and rotations in 8 to 64 bits, for NumPy arrays.
+
+>>> import numpy as np, unitvec
+>>> normals = np.array([[0.6, 0.0, -0.8], [0.0, 1.0, 0.0]])
+>>> codes = unitvec.encode(normals, "oct32p")
+>>> codes.dtype, codes.shape
+(dtype('uint32'), (2,))
+>>> unitvec.decode(codes, "oct32p")[1].tolist()
+[0.0, 1.0, 0.0]
+
+Codes are those of the Rust crate, the shaders and the program `unitvec`, bit for bit. `codecs()` and `formats()` list the
+names. All functions release the GIL; nothing else may write their arrays meanwhile.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from . import _native
+
+__all__ = ["Codec", "choose", "codec", "codecs", "decode", "encode", "error", "formats"]
+__version__ = _native.VERSION
+
+
+class Codec(NamedTuple):
+    """The facts of a codec, or of a format of other software."""
+
+    id: str
+    """Its name, as the functions take it."""
+    element: str
+    """``vectors``, ``frames`` or ``rotations``."""
+    bits: int
+    """Significant bits of a code, the low ones."""
+    bytes: int
+    """Bytes of a code in the files of the program ``unitvec``."""
+    floats: int
+    """Length of the last axis: 3 for vectors, 7 for frames (normal, tangent, handedness), 4 for rotations (x, y, z, w)."""
+    domain: str
+    """``sphere``, or ``hemisphere`` for directions with z >= 0."""
+    max_errors_deg: list[float]
+    """Upper bounds of the errors in degrees; of frames the normal's and the tangent's."""
+    null: int | None
+    """The code for vectors without a direction; ``None`` where there is none to spare."""
+    mean_deg: float
+    """Measured mean error in degrees, over 10^6 random directions; of frames the normal's. NaN for formats."""
+    max_deg: float
+    """Measured maximum error in degrees, likewise."""
+
+    @property
+    def dtype(self) -> np.dtype[Any]:
+        """The type of an array of codes: the smallest unsigned integers that hold one."""
+        return np.dtype(f"u{_item(self)}")
+
+
+def codec(name: str) -> Codec:
+    """The facts of the codec or format of this name.
+
+    :raises ValueError: there is none; similar names are in the message.
+    """
+    if not isinstance(name, str):
+        raise ValueError(f"a codec is named by a str, as 'oct32p', not by {type(name).__name__}")
+    return Codec(*_native.codec(name))
+
+
+def codecs() -> list[Codec]:
+    """All codecs, by family and width."""
+    return [codec(name) for name in _native.names()[0]]
+
+
+def formats() -> list[Codec]:
+    """All formats of other software, as ``tiles3d-oct16`` or ``draco:10``: each with the encoder that finds the nearest code
+    and, where the name ends in `` plain``, with that software's own rounding."""
+    return [codec(name) for name in _native.names()[1]]
+
+
+def choose(max_error: float, *, element: str = "vectors", domain: str = "sphere") -> Codec:
+    """The codec of the fewest bytes whose measured maximum error, of frames the normal's, is not above `max_error` degrees.
+    Of those the one of least mean error.
+
+    :param domain: ``hemisphere`` where every direction has z >= 0.
+    :raises ValueError: no codec is so fine, or there is no such element or domain.
+
+    >>> unitvec.choose(0.01).dtype
+    dtype('uint32')
+    """
+    found = [c for c in codecs() if c.element == element and c.domain in ("sphere", domain) and c.max_deg > 0]
+    if not found or domain not in ("sphere", "hemisphere"):
+        raise ValueError(
+            f"there are no {element!r} over a {domain!r}; elements are 'vectors', 'frames' and 'rotations', domains 'sphere'"
+            " and 'hemisphere'"
+        )
+    finest = min(c.max_deg for c in found)
+    if not max_error >= finest:
+        raise ValueError(f"no codec of {element} is within {max_error} degrees; the finest reaches {finest}")
+    return min((c for c in found if c.max_deg <= max_error), key=lambda c: (c.bytes, c.mean_deg))
+
+
+def encode(
+    elements: Any, codec: str, *, null: bool = False, threads: int | None = None, out: np.ndarray | None = None
+) -> np.ndarray:
+    """Encodes vectors, frames or rotations to integers.
+
+    :param elements: float32 or float64, of shape (..., 3) for vectors, (..., 7) for frames (normal, tangent, handedness of 1 or
+        -1), (..., 4) for rotations (quaternions x, y, z, w). Lengths do not matter, but to codecs of components (``snorm…``) and ``vector…``. Lists, PyTorch's and JAX's arrays on the
+        host and Arrow's FixedSizeList and FixedShapeTensor serve too. What is not contiguous is copied first. float64 is
+        rounded to float32.
+    :param codec: a name of `codecs()` or `formats()`.
+    :param null: vectors without a direction (zeros, NaN, infinite ones) get the codec's null code. Else they get the code of +Z.
+    :param threads: None for all cores, 1 for the calling thread.
+    :param out: an array for the codes, which is returned.
+    :returns: codes of shape (...), of the type `Codec.dtype`. Bits above `Codec.bits` are 0.
+    :raises ValueError: a wrong name, shape, type or number of threads, or no null code.
+    """
+    by = _named(codec)
+    flat, shape = _flat(elements, by)
+    target, result = _output(out, shape, by.dtype, flat)
+    _native.encode(by.id, flat, _bytes(target), _item(by), bool(null), _threads(threads))
+    return _filled(target, result)
+
+
+def decode(
+    codes: Any, codec: str, *, null: bool = False, threads: int | None = None, out: np.ndarray | None = None
+) -> np.ndarray:
+    """Decodes integers, as `encode` makes them.
+
+    :param codes: integers of any type and shape (...). Each must fit into `Codec.bits`.
+    :param codec: the name that they were encoded by.
+    :param null: null codes become zeros. Else they become unit vectors like any other code.
+    :param threads: None for all cores, 1 for the calling thread.
+    :param out: an array for the elements, which is returned.
+    :returns: float32 of shape (..., 3); of frames (..., 7), of rotations (..., 4).
+    :raises ValueError: a wrong name, type, shape or number of threads, codes that do not fit, or no null code.
+    """
+    by = _named(codec)
+    codes = _array(codes)
+    if codes.dtype.kind not in "ui":
+        raise ValueError(f"codes are integers, as {by.dtype} for {by.id}, not {codes.dtype}")
+    limits = np.iinfo(codes.dtype)
+    if codes.size and (limits.min < 0 or limits.max >> by.bits):
+        beyond = next((int(code) for code in (codes.min(), codes.max()) if not 0 <= int(code) < 1 << by.bits), None)
+        if beyond is not None:
+            raise ValueError(f"{beyond} is no code of {by.id}, which has {by.bits} bits")
+    # As they are, or copied where they have gaps or are of another type.
+    flat = np.require(codes, by.dtype, ["C", "A"]).reshape(-1)
+    target, result = _output(out, (*codes.shape, by.floats), np.dtype(np.float32), flat)
+    _native.decode(by.id, _bytes(flat), _item(by), target, bool(null), _threads(threads))
+    return _filled(target, result)
+
+
+def error(elements: Any, codec: str, *, threads: int | None = None) -> np.ndarray:
+    """The error of each element after encoding and decoding: in degrees, of axes (``axial…``) the angle between axes in
+    degrees, of vectors with a length (``vector…``) relative to that length.
+
+    :param elements: as `encode` takes them. float64 is rounded to float32 first.
+    :returns: float64 of shape (...); of frames (..., 2): the normal's and the tangent's. NaN where there is no direction.
+    :raises ValueError: as `encode` does.
+    """
+    by = _named(codec)
+    flat, shape = _flat(elements, by)
+    parts = len(by.max_errors_deg)
+    errors = np.empty((*shape, parts) if parts > 1 else shape)
+    _native.error(by.id, flat, errors.reshape(-1), _threads(threads))
+    return errors
+
+
+def _named(name: Any) -> Codec:
+    return name if isinstance(name, Codec) else codec(name)
+
+
+def _item(by: Codec) -> int:
+    """Bytes of the integer that holds a code."""
+    return 1 << (by.bytes - 1).bit_length()
+
+
+def _array(values: Any) -> np.ndarray:
+    if isinstance(values, np.ndarray):
+        return values
+    if type(values).__module__.partition(".")[0] == "pyarrow":
+        return _of_arrow(values)
+    try:
+        return np.asarray(values)
+    except (TypeError, ValueError, RuntimeError) as reason:
+        raise ValueError(f"{type(values).__name__} gives no array: {reason}; copy it to the host's memory first") from reason
+
+
+def _of_arrow(values: Any) -> np.ndarray:
+    """The array of a column of Arrow, without a copy."""
+    if hasattr(values, "combine_chunks"):
+        values = values.combine_chunks()
+    if values.null_count:
+        raise ValueError(f"{values.null_count} values of the column are null; fill or drop them first")
+    if hasattr(values, "to_numpy_ndarray"):
+        return np.asarray(values.to_numpy_ndarray())
+    size = getattr(values.type, "list_size", None)
+    numbers = values if size is None else values.flatten()
+    if numbers.null_count:
+        raise ValueError(f"{numbers.null_count} components of the column are null; fill or drop them first")
+    array = np.asarray(numbers.to_numpy(zero_copy_only=True))
+    return array if size is None else array.reshape(-1, size)
+
+
+def _flat(elements: Any, by: Codec) -> tuple[np.ndarray, tuple[int, ...]]:
+    """The floats in one row, without gaps, in the machine's order of bytes; and the shape of the codes."""
+    array = _array(elements)
+    if not isinstance(elements, np.ndarray) and array.dtype.kind in "iu":
+        array = array.astype(np.float64)
+    if array.dtype.kind != "f" or array.dtype.itemsize not in (4, 8):
+        raise ValueError(f"elements are float32 or float64, not {array.dtype}; .astype('float32') makes them so")
+    if array.ndim == 0 or array.shape[-1] != by.floats:
+        raise ValueError(f"{by.id} encodes {by.element} of shape (..., {by.floats}), not {array.shape}")
+    return np.require(array, array.dtype.newbyteorder("="), ["C", "A"]).reshape(-1), array.shape[:-1]
+
+
+def _output(
+    out: Any, shape: tuple[int, ...], dtype: np.dtype[Any], source: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """A row without gaps to write to, and the array that it is to fill: itself where that can be."""
+    if out is None:
+        result = np.empty(shape, dtype)
+        return result.reshape(-1), result
+    if not isinstance(out, np.ndarray) or out.dtype != dtype or out.shape != shape:
+        given = f"{out.dtype} of shape {out.shape}" if isinstance(out, np.ndarray) else type(out).__name__
+        raise ValueError(f"out must be an array of {dtype} of shape {shape}, not {given}")
+    if not out.flags.writeable:
+        raise ValueError("out is read-only")
+    direct = out.flags.c_contiguous and out.flags.aligned and not np.may_share_memory(out, source)
+    return (out.reshape(-1) if direct else np.empty(out.size, dtype)), out
+
+
+def _filled(target: np.ndarray, result: np.ndarray) -> np.ndarray:
+    if not np.may_share_memory(target, result):
+        result[...] = target.reshape(result.shape)
+    return result
+
+
+def _bytes(integers: np.ndarray) -> np.ndarray:
+    return integers.view(np.uint8)
+
+
+def _threads(threads: Any) -> int | None:
+    if threads is None:
+        return None
+    if isinstance(threads, bool) or not isinstance(threads, (int, np.integer)) or not 1 <= threads <= 1024:
+        raise ValueError(f"threads is None for all cores or a number from 1 to 1024, not {threads!r}")
+    return int(threads)
