@@ -18,11 +18,14 @@ from typing import Any
 
 import numpy as np
 from zarr.abc.codec import ArrayArrayCodec
-from zarr.dtype import parse_dtype
+from zarr.dtype import UInt8, UInt16, UInt32, UInt64
 
 import unitvec
 
 __all__ = ["Unitvec"]
+
+# By bytes.
+_INTEGERS = {1: UInt8(), 2: UInt16(), 4: UInt32(), 8: UInt64()}
 
 
 @dataclass(frozen=True)
@@ -63,7 +66,7 @@ class Unitvec(ArrayArrayCodec):
         if not (fill == 0 or np.isnan(fill)):
             raise ValueError(f"the fill value is 0 or NaN, which stand for no direction, not {fill}")
         facts = unitvec.codec(self.codec)
-        dtype, null = parse_dtype(facts.dtype, zarr_format=3), facts.dtype.type(facts.null)
+        dtype, null = _INTEGERS[facts.dtype.itemsize], facts.dtype.type(facts.null)
         return replace(chunk_spec, shape=chunk_spec.shape[:-1], dtype=dtype, fill_value=null)
 
     def compute_encoded_size(self, input_byte_length: int, chunk_spec: Any) -> int:
