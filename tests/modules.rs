@@ -8,6 +8,7 @@ use rspirv::spirv::{
 use std::collections::{BTreeSet, HashSet};
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::LazyLock;
 use unitvec::best_fit;
 use unitvec_catalogue::{CODECS, Operation};
 use unitvec_link::{LIBRARY, Signature};
@@ -152,13 +153,13 @@ fn modules_keep_the_rules() {
     let manifest = manifest();
     assert_eq!((manifest.vulkan.as_str(), manifest.spirv.as_str()), ("1.1", "1.3"));
     assert_eq!((manifest.capabilities, manifest.features), (vec!["Shader".to_owned()], vec![]));
-    let kernels = manifest.modules.iter().map(|module| (module.file.as_str(), read(&module.file)));
-    let render = shaders::modules().map(|name| (name, shaders::module(name).unwrap().to_vec()));
-    for (name, bytes) in kernels.chain(render) {
-        let spirv = load_bytes(bytes).unwrap();
+    let render: Vec<(&str, Module)> =
+        shaders::modules().map(|name| (name, load_bytes(shaders::module(name).unwrap()).unwrap())).collect();
+    let kernels = all_modules().iter().map(|(module, spirv)| (module.file.as_str(), spirv));
+    for (name, spirv) in kernels.chain(render.iter().map(|(name, spirv)| (*name, spirv))) {
         // Half floats are converted with integers alone, and tables need no arithmetic.
         let has_none = ["float16x3", "by_table", "fullscreen.spv"].iter().any(|part| name.contains(part));
-        assert_rules(name, &spirv, &[Capability::Shader], if has_none { 0 } else { 6 });
+        assert_rules(name, spirv, &[Capability::Shader], if has_none { 0 } else { 6 });
         let texts = [&spirv.debug_string_source, &spirv.debug_names, &spirv.debug_module_processed];
         assert!(texts.iter().all(|text| text.is_empty()), "{name}");
     }
@@ -272,7 +273,7 @@ fn entry_points_are_as_the_manifest_says() {
                 .bindings
                 .iter()
                 .map(|binding| (interface.descriptor_set, binding.binding, binding.role != Role::Output));
-            let actual = buffers(&spirv, *function);
+            let actual = buffers(spirv, *function);
             let found = actual.iter().map(|&(set, binding, is_read, _)| (set, binding, is_read));
             assert_eq!(found.collect::<Vec<_>>(), expected.collect::<Vec<_>>(), "{name}");
             assert_eq!(interface.vectors_per_workgroup as usize, GROUP * WORKGROUP, "{name}");
@@ -290,11 +291,11 @@ fn specialization_constants_are_those_of_the_manifest() {
     for (module, spirv) in all_modules() {
         let of = |opcode| spirv.types_global_values.iter().filter(move |line| line.class.opcode == opcode);
         let (lines, of_bool) = (of(Op::SpecConstant), of(Op::SpecConstantFalse));
-        let number = |line: &Instruction| decorated(&spirv, line.result_id.unwrap(), Decoration::SpecId);
+        let number = |line: &Instruction| decorated(spirv, line.result_id.unwrap(), Decoration::SpecId);
         let of_module: Vec<_> = lines.map(|line| (number(line), line.operands.clone())).collect();
         assert_eq!(of_module, [(Some(0), vec![Operand::LiteralBit32(0)])], "{}", module.file);
         let of_bool: Vec<_> = of_bool.map(number).collect();
-        let expected = if divides(&spirv) { &[Some(1)][..] } else { &[] };
+        let expected = if divides(spirv) { &[Some(1)][..] } else { &[] };
         assert_eq!(of_bool, expected, "{}", module.file);
         for entry in &module.entry_points {
             let listed = &interfaces[&entry.interface].specialization_constants;
@@ -314,9 +315,13 @@ fn divides(spirv: &Module) -> bool {
     })
 }
 
-fn all_modules() -> Vec<(Entry, Module)> {
-    let modules = manifest().modules.into_iter();
-    modules.map(|entry| (entry.clone(), load_bytes(read(&entry.file)).unwrap())).collect()
+/// The kernels' modules, which several tests look through.
+fn all_modules() -> &'static [(Entry, Module)] {
+    static MODULES: LazyLock<Vec<(Entry, Module)>> = LazyLock::new(|| {
+        let loaded = |entry: Entry| (entry.clone(), load_bytes(read(&entry.file)).unwrap());
+        manifest().modules.into_iter().map(loaded).collect()
+    });
+    &MODULES
 }
 
 /// The words after a decoration of an id.

@@ -134,6 +134,7 @@ pub(crate) fn nearest_around<O: Oracle>(
 }
 
 /// The square of the tangent of the angle between two vectors of any length, which orders angles of less than 90 degrees.
+#[inline]
 pub fn tangent_squared(a: [f64; 3], b: [f64; 3]) -> f64 {
     let (c, cosine) = (cross(a, b), dot(a, b));
     if cosine > 0.0 { dot(c, c) / (cosine * cosine) } else { f64::INFINITY }
@@ -141,6 +142,7 @@ pub fn tangent_squared(a: [f64; 3], b: [f64; 3]) -> f64 {
 
 /// The lattice point of the square `[-m, m]^2` that a point beyond its border goes on to: each edge is glued to
 /// itself, turned about its middle (survey, figure 3).
+#[inline]
 pub fn wrap([x, y]: [i64; 2], m: i64) -> [i64; 2] {
     let [x, y] = if x.abs() > m { [2 * m * x.signum() - x, -y] } else { [x, y] };
     if y.abs() > m { [-x, 2 * m * y.signum() - y] } else { [x, y] }

@@ -2,7 +2,7 @@
 
 use crate::directions::usable;
 use crate::expected::{self, Image, Tolerance};
-use crate::tested::{Tested, widen};
+use crate::tested::{Tested, portions, widen};
 use glam::Vec3;
 use unitvec_oracle::{Summary, angle_deg, cross, dot, length};
 
@@ -27,13 +27,16 @@ pub fn assert_unit(codec: &Tested, code: u64, decoded: Vec3) {
     assert!(!negative_zero, "{}: {code:#x} decodes to {decoded:?}", codec.id);
 }
 
-/// Asserts that the codec decodes each of `codes` to the reference's vector, whatever the bits above the code, and that
-/// at least `share` of them has one.
+/// Asserts that the codec decodes each of `codes` to the reference's vector, in a slice and alone, whatever the bits above the
+/// code, and that at least `share` of them has one.
 pub fn assert_decodes(codec: &Tested, codes: impl Iterator<Item = u64>, share: f64) {
     let tolerance = expected::decoding(codec);
     let (mut worst, mut settled, mut count) = (0f64, 0, 0);
-    for code in codes {
-        let decoded = codec.decode(code);
+    let decoded = portions(codes).flat_map(|codes| {
+        let vectors = codec.decode_all(&codes);
+        codes.into_iter().zip(vectors)
+    });
+    for (code, decoded) in decoded {
         assert_unit(codec, code, decoded);
         let dirty = code | code.wrapping_mul(0x9E37_79B9_7F4A_7C15) & !codec.mask();
         assert_eq!(codec.decode(dirty), decoded, "{}: {dirty:#x}, bits above the code count", codec.id);
@@ -77,20 +80,26 @@ impl Tolerance {
 /// Asserts that each of `codes`, decoded, encoded and decoded, gives the vector of the first decoding, and that encoding
 /// leaves the bits above the code 0.
 pub fn assert_stable(codec: &Tested, codes: impl Iterator<Item = u64>) {
-    for code in codes {
-        let once = codec.decode(code);
-        let again = codec.encode(once);
-        assert!(again & !codec.mask() == 0, "{}: {code:#x} comes back as {again:#x}", codec.id);
-        assert_eq!(codec.decode(again), once, "{}: {code:#x} comes back as {again:#x}", codec.id);
+    for codes in portions(codes) {
+        let once = codec.decode_all(&codes);
+        let again = codec.encode_all(&once);
+        let twice = codec.decode_all(&again);
+        for (((code, once), again), twice) in codes.into_iter().zip(once).zip(again).zip(twice) {
+            assert!(again & !codec.mask() == 0, "{}: {code:#x} comes back as {again:#x}", codec.id);
+            assert_eq!(twice, once, "{}: {code:#x} comes back as {again:#x}", codec.id);
+        }
     }
 }
 
 /// Asserts that the image of each direction comes back as the image of the direction's decoded vector.
 pub fn assert_commutes(codec: &Tested, directions: impl Iterator<Item = Vec3>, images: &[Image]) {
-    for v in directions.filter(|_| !images.is_empty()) {
-        let decoded = codec.round_trip(v);
+    for vectors in portions(directions.filter(|_| !images.is_empty())) {
+        let decoded = codec.round_trip_all(&vectors);
         for image in images {
-            assert_eq!(codec.round_trip(image(v)), image(decoded), "{}: {v:?} and {:?}", codec.id, image(v));
+            let moved: Vec<Vec3> = vectors.iter().map(|v| image(*v)).collect();
+            for ((v, of_moved), decoded) in moved.iter().zip(codec.round_trip_all(&moved)).zip(&decoded) {
+                assert_eq!(of_moved, image(*decoded), "{}: the image {v:?}", codec.id);
+            }
         }
     }
 }

@@ -86,14 +86,52 @@ impl Tested {
         Vec3::from_array(self.info.decode_one([code as u32, (code >> 32) as u32]))
     }
 
+    /// The codes of vectors, by the slice functions: those of [`encode`](Self::encode), as the suite's `takes_anything` shows,
+    /// in a part of the time.
+    pub fn encode_all(&self, vectors: &[Vec3]) -> Vec<u64> {
+        let elements: Vec<f32> = vectors.iter().flat_map(|v| v.to_array()).collect();
+        let mut codes = vec![0; vectors.len() * self.bytes];
+        self.encode_here(&elements, &mut codes).unwrap_or_else(|error| panic!("{}: {error}", self.id));
+        let word = |code: &[u8]| {
+            let mut word = [0; 8];
+            word[..code.len()].copy_from_slice(code);
+            u64::from_le_bytes(word)
+        };
+        codes.chunks_exact(self.bytes).map(word).collect()
+    }
+
+    /// The vectors of codes, by the slice functions: those of [`decode`](Self::decode), as `assert_decodes` shows for every
+    /// code that it takes.
+    pub fn decode_all(&self, codes: &[u64]) -> Vec<Vec3> {
+        let mut bytes = Vec::with_capacity(codes.len() * self.bytes);
+        codes.iter().for_each(|code| bytes.extend_from_slice(&code.to_le_bytes()[..self.bytes]));
+        let mut elements = vec![[0.0; 3]; codes.len()];
+        self.decode_here(&bytes, elements.as_flattened_mut())
+            .unwrap_or_else(|error| panic!("{}: {error}", self.id));
+        elements.into_iter().map(Vec3::from_array).collect()
+    }
+
     /// The decoded code of a vector.
     pub fn round_trip(&self, v: Vec3) -> Vec3 {
         self.decode(self.encode(v))
     }
 
+    /// The decoded codes of vectors, by the slice functions.
+    pub fn round_trip_all(&self, vectors: &[Vec3]) -> Vec<Vec3> {
+        self.decode_all(&self.encode_all(vectors))
+    }
+
     /// The angle in degrees between a direction and its decoded one.
     pub fn error_deg(&self, v: Vec3) -> f64 {
         angle_deg(widen(v), widen(self.round_trip(v)))
+    }
+
+    /// [`error_deg`](Self::error_deg) of each direction, by the slice functions.
+    pub fn errors_deg(&self, directions: impl Iterator<Item = Vec3>) -> impl Iterator<Item = f64> {
+        portions(directions).flat_map(|directions| {
+            let decoded = self.round_trip_all(&directions);
+            directions.into_iter().zip(decoded).map(|(v, decoded)| angle_deg(widen(v), widen(decoded)))
+        })
     }
 
     /// The angle in degrees between a direction and its code's in `f64`: the error of the choice alone.
@@ -163,6 +201,14 @@ impl Tested {
         });
         points.chain((0..20_000).flat_map(move |i| [i & mask, mask - (i & mask)]))
     }
+}
+
+/// The items in portions for the slice functions.
+pub fn portions<T>(mut items: impl Iterator<Item = T>) -> impl Iterator<Item = Vec<T>> {
+    std::iter::from_fn(move || {
+        let portion: Vec<T> = items.by_ref().take(1 << 12).collect();
+        (!portion.is_empty()).then_some(portion)
+    })
 }
 
 /// A vector in double precision: exact.

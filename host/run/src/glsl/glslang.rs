@@ -4,12 +4,16 @@ use super::{ENTRY_POINT, Error, Shader, SourceLanguage, Stage, source};
 use shaderc::{
     CompileOptions, EnvVersion, IncludeType, OptimizationLevel, ResolvedInclude, ShaderKind, TargetEnv,
 };
+use std::sync::LazyLock;
 
-pub struct Glslang(shaderc::Compiler);
+/// The compiler of the process: glslang makes its tables of built-in functions anew wherever no compiler is left.
+static COMPILER: LazyLock<Result<shaderc::Compiler, shaderc::Error>> = LazyLock::new(shaderc::Compiler::new);
+
+pub struct Glslang(&'static shaderc::Compiler);
 
 impl Glslang {
     pub fn new() -> Result<Self, Error> {
-        shaderc::Compiler::new().map(Self).map_err(|error| Error::NoCompiler(error.to_string()))
+        COMPILER.as_ref().map(Self).map_err(|error| Error::NoCompiler(error.to_string()))
     }
 
     pub fn compile(
