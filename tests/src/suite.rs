@@ -47,7 +47,8 @@ fn million(domain: Domain) -> &'static [Vec3] {
 
 /// Directions all over the sphere, and near the coordinate planes and axes: the same for all codecs.
 fn directions(seed: u64, count: usize) -> impl Iterator<Item = Vec3> {
-    static MADE: Mutex<BTreeMap<(u64, usize), Arc<[Vec3]>>> = Mutex::new(BTreeMap::new());
+    type Made = BTreeMap<(u64, usize), Arc<[Vec3]>>;
+    static MADE: Mutex<Made> = Mutex::new(BTreeMap::new());
     let make = || sphere(seed, count).chain(near_planes(seed + 1, count / 2).map(Vec3::normalize)).collect();
     let mut made = MADE.lock().unwrap_or_else(PoisonError::into_inner);
     let made = made.entry((seed, count)).or_insert_with(make).clone();
