@@ -168,6 +168,7 @@ fn test(arguments: &[String]) -> Result<(), String> {
         "--exclude=unitvec-bench",
         "--exclude=unitvec-language-tests",
         "--exclude=unitvec-example-wgpu",
+        "--exclude=unitvec-python",
     ];
     let all = || {
         let mut command = cargo(&["test", "--workspace"]);
