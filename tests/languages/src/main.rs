@@ -63,7 +63,7 @@ struct Options {
     /// Folder with Chromium in usr/lib/chromium
     #[arg(long)]
     chromium: Option<PathBuf>,
-    /// Runs MSL, by clang
+    /// Runs MSL by clang, and C++ by clang and GCC
     #[arg(long)]
     clang: bool,
     /// Runs WGSL by wgpu
