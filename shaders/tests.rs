@@ -21,7 +21,9 @@ fn source(file: &str) -> &'static str {
 fn source_of(file: &str, language: Language, edition: Edition) -> String {
     let is_kept = |block: &&str| {
         let first = code(block).next().unwrap_or_default().to_ascii_lowercase();
-        edition == Edition::Exact || language == Language::Hlsl || !first.contains("unitvec_exact_")
+        edition == Edition::Exact
+            || [Language::Hlsl, Language::Cpp].contains(&language)
+            || !first.contains("unitvec_exact_")
     };
     source(file).split("\n\n").filter(is_kept).collect::<Vec<_>>().join("\n\n")
 }
@@ -145,9 +147,17 @@ fn files_are_as_long_as_their_sources() {
             let text = library.file(file, language, edition).unwrap();
             let text = lines(&text);
             let ratio = text.len() as f64 / source.len() as f64;
-            let most = if edition == Edition::Exact { 1.125 } else { 1.1 };
+            // Lines of C++ are broken where calls of the barrier make them long.
+            let most = match (language, edition) {
+                (Language::Cpp, _) => 1.2,
+                (_, Edition::Exact) => 1.125,
+                _ => 1.1,
+            };
             assert!((0.9..=most).contains(&ratio), "{file} in {language}, {edition:?}: {ratio}");
-            let is_long = |line: &&&str| line.len() > 120 && !line.trim_start().starts_with("//");
+            let is_long = |line: &&&str| {
+                line.len() > 120
+                    && !["//", "#define"].iter().any(|start| line.trim_start().starts_with(start))
+            };
             assert_eq!(text.iter().find(is_long), None, "{file} in {language}");
         }
     }
@@ -226,10 +236,14 @@ fn names_are_those_of_the_source() {
                 "metal_stdlib using namespace metal pragma clang fp contract off constant inline thread float2 float3 \
                  float4 uint2 uint3 uint4 int2 int3 as_type all rsqrt"
             }
+            Language::Cpp => {
+                "namespace unitvec define constexpr UNITVEC_FN unitvec_rounded vectors float2 float3 float4 uint2 uint3 uint4 int2 \
+                 int3 int4"
+            }
             _ => "",
         };
         let stems: Vec<&str> = library.files().map(|file| file.trim_end_matches(".glsl")).collect();
-        let endings = ["HLSL", "METAL", "GDSHADERINC", "GLSL"];
+        let endings = ["HLSL", "METAL", "GDSHADERINC", "GLSL", "HPP"];
         let is_known = |word: &&String| {
             let is_guard = word.starts_with("UNITVEC_") && endings.iter().any(|end| word.ends_with(end));
             let copied = word.strip_suffix("_in").is_some_and(|name| source.contains(name));

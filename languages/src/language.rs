@@ -21,13 +21,15 @@ pub enum Language {
     GlslEs,
     /// Godot 4's shading language.
     Godot,
+    /// C++11, for CPUs, CUDA and HIP.
+    Cpp,
     /// WGSL in modules that naga_oil composes, as Bevy up to 0.19 does.
     NagaOil,
     /// WGSL with imports, for Bevy from 0.20 on.
     Wesl,
 }
 
-/// The macro that makes the text of GLSL and HLSL the exact edition.
+/// The macro that makes the text of GLSL, HLSL and C++ the exact edition.
 pub const EXACT: &str = "UNITVEC_EXACT";
 
 /// Ways to keep compilers from fusing and reordering, and devices from dividing in their own way.
@@ -42,7 +44,7 @@ pub enum Edition {
 
 impl Language {
     /// All languages.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Glsl,
         Self::Hlsl,
         Self::Wgsl,
@@ -50,6 +52,7 @@ impl Language {
         Self::Msl,
         Self::GlslEs,
         Self::Godot,
+        Self::Cpp,
         Self::NagaOil,
         Self::Wesl,
     ];
@@ -64,6 +67,7 @@ impl Language {
             Self::Msl => ["msl", "MSL", "metal"],
             Self::GlslEs => ["glsl-es", "GLSL ES", "glsl"],
             Self::Godot => ["godot", "Godot's shading language", "gdshaderinc"],
+            Self::Cpp => ["cpp", "C++", "hpp"],
             Self::NagaOil => ["naga-oil", "WGSL for naga_oil", "wgsl"],
             Self::Wesl => ["wesl", "WESL", "wesl"],
         }
@@ -90,14 +94,14 @@ impl Language {
         self.names()[2]
     }
 
-    /// The editions of its files. In GLSL and HLSL the macro [`EXACT`] chooses between both.
+    /// The editions of its files. In GLSL, HLSL and C++ the macro [`EXACT`] chooses between both.
     pub const fn editions(self) -> &'static [Edition] {
         if self.has_precise() { &[Edition::Plain] } else { &[Edition::Plain, Edition::Exact] }
     }
 
     /// True for the languages whose compilers take `#include`.
     pub(crate) const fn has_include(self) -> bool {
-        matches!(self, Self::Glsl | Self::Hlsl | Self::Msl | Self::Godot)
+        matches!(self, Self::Glsl | Self::Hlsl | Self::Msl | Self::Godot | Self::Cpp)
     }
 
     /// True for the languages with `#ifdef`.
@@ -115,9 +119,10 @@ impl Language {
         matches!(self, Self::Glsl | Self::GlslEs | Self::Godot)
     }
 
-    /// True for the languages with `precise`. In these a macro of the user's chooses the exact edition.
+    /// True for the languages with `precise`, and for C++, whose barrier stands for it. In these a macro of the user's chooses the
+    /// exact edition.
     pub(crate) const fn has_precise(self) -> bool {
-        matches!(self, Self::Glsl | Self::Hlsl)
+        matches!(self, Self::Glsl | Self::Hlsl | Self::Cpp)
     }
 
     /// The part of an alternative that belongs to its text. Both parts stay where a macro of the user's decides; where
@@ -166,6 +171,7 @@ impl Language {
             Self::Wgsl | Self::NagaOil | Self::Wesl => OF_WGSL,
             Self::Slang => OF_SLANG,
             Self::Msl => OF_MSL,
+            Self::Cpp => OF_CPP,
         };
         words.split_whitespace().any(|word| word == name)
     }
@@ -251,3 +257,12 @@ const OF_MSL: &str = "alignas alignof and and_eq asm auto bitand bitor bool brea
     ray_data register reinterpret_cast return sampler short signed sizeof static static_assert static_cast struct \
     switch template texture this thread thread_local threadgroup throw true try typedef typeid typename uint union \
     unsigned using vec vertex virtual void volatile while xor xor_eq as_type";
+
+/// Keywords of C++ up to C++20, and what the headers beside the functions define.
+const OF_CPP: &str = "alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t \
+    class co_await co_return co_yield compl concept const consteval constexpr constinit const_cast continue decltype default \
+    delete do double dynamic_cast else enum explicit export extern false float for friend goto if inline int long mutable \
+    namespace new noexcept not not_eq nullptr operator or or_eq private protected public register reinterpret_cast requires \
+    return short signed sizeof static static_assert static_cast struct switch template this thread_local throw true try \
+    typedef typeid typename uint union unsigned using virtual void volatile wchar_t while xor xor_eq unitvec unitvec_rounded \
+    vec2 vec3 vec4";

@@ -1,5 +1,5 @@
-//! The GLSL includes of `unitvec` in other shading languages: HLSL, WGSL, Slang, MSL, GLSL ES and Godot's,
-//! and WGSL as modules for naga_oil and in WESL.
+//! The GLSL includes of `unitvec` in other shading languages: HLSL, WGSL, Slang, MSL, GLSL ES, Godot's and
+//! C++, and WGSL as modules for naga_oil and in WESL.
 //!
 //! A [`Library`] parses the includes once. [`Library::folder`] gives all of them in another language, with their functions,
 //! names and comments; [`Library::excerpt`] only some [functions](Library::functions) and what they need;
@@ -34,7 +34,7 @@ mod wrap;
 pub use language::{EXACT, Edition, Language, UnknownLanguage};
 
 use parse::{Declared, parse};
-use print::Printer;
+use print::{Printer, VECTORS};
 use std::collections::BTreeMap;
 use syntax::{File, Item, ItemKind};
 
@@ -149,6 +149,9 @@ impl Library {
                     texts.insert(path, self.file(file, language, *edition)?);
                 }
             }
+        }
+        if language == Language::Cpp {
+            texts.insert(VECTORS.0.to_owned(), VECTORS.1.to_owned());
         }
         Ok(texts)
     }

@@ -3,9 +3,19 @@
 /// The longest line of the includes.
 pub const WIDTH: usize = 120;
 
-/// Text that a line may be broken before, and how readily: most readily after a comma.
-const BEFORE: [(&str, usize); 8] =
-    [(" ? ", 1), (" : ", 1), (" && ", 1), (" || ", 1), (" + ", 2), (" - ", 2), (" | ", 2), (" & ", 2)];
+/// Text that a line may be broken before, and how readily: most readily after a comma, and within a product where there is
+/// nothing else.
+const BEFORE: [(&str, usize); 9] = [
+    (" ? ", 1),
+    (" : ", 1),
+    (" && ", 1),
+    (" || ", 1),
+    (" + ", 2),
+    (" - ", 2),
+    (" | ", 2),
+    (" & ", 2),
+    (" * ", 100),
+];
 const KINDS: usize = 3;
 
 /// A statement in as many lines as it needs, those after the first further to the right.

@@ -22,7 +22,7 @@ fn files_exist() {
     // Files that engines include, by their last names, in all folders of languages.
     for include in text.split("#include \"").skip(1).filter_map(|rest| rest.split('"').next()) {
         let name = include.rsplit('/').next().unwrap();
-        let folders = ["shaders/hlsl", "shaders/godot", "shaders/msl", "glsl/unitvec"];
+        let folders = ["shaders/hlsl", "shaders/godot", "shaders/msl", "shaders/cpp", "glsl/unitvec"];
         let is_there = folders.iter().any(|folder| repository().join(folder).join(name).exists());
         assert!(is_there || name == "unitvec.ush", "{include}");
     }

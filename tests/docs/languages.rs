@@ -88,7 +88,7 @@ fn all_compilers_keep_their_promises() {
 fn the_record_is_of_all_languages() {
     let rows = rows();
     let of = |language: &str| rows.iter().filter(|row| row.language == language).collect::<Vec<_>>();
-    for language in ["HLSL", "WGSL", "Slang", "MSL", "GLSL ES", "Godot's shading language"] {
+    for language in ["HLSL", "WGSL", "Slang", "MSL", "C++", "GLSL ES", "Godot's shading language"] {
         let found: BTreeSet<&str> = of(language).iter().map(|row| row.edition.as_str()).collect();
         assert_eq!(found, BTreeSet::from(["exact", "plain"]), "{language}");
     }

@@ -152,7 +152,7 @@ impl Found {
         found.add("DXC", "--dxc", DXC.fetch(languages));
         found.add("FXC", "--fxc", setup::packages(&FOR_FXC).and_then(|()| FXC.fetch(languages)));
         found.add("Slang", "--slang", SLANG.fetch(languages));
-        if let Err(reason) = setup::packages(&["clang"]) {
+        if let Err(reason) = setup::packages(&["clang", "g++"]) {
             found.missing.push(format!("clang: {reason}"));
         } else {
             found.arguments.push("--clang".into());

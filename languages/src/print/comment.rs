@@ -27,7 +27,7 @@ impl Printer<'_> {
         // An argument that is written to, as the language passes it; the text after it stays in its column.
         let by_reference = match self.language {
             Language::Wgsl => said.replace(", out ", ", &"),
-            Language::Msl => said.replace(", out ", ", "),
+            Language::Msl | Language::Cpp => said.replace(", out ", ", "),
             _ => said.clone(),
         };
         let shorter = said.len() - by_reference.len();
@@ -117,6 +117,10 @@ impl Printer<'_> {
             Language::Msl => {
                 "Include unitvec.metal, or the families that you need. All functions are inline."
             }
+            Language::Cpp => {
+                "For C++11 and later, CUDA and HIP. Include unitvec.hpp, or the families that you need. All is in the namespace \
+                 `unitvec`; vectors.hpp has the types."
+            }
             Language::GlslEs => {
                 "For GLSL ES 3.00 and later, WebGL 2 included, which cannot include files: join the texts of the files that you \
                  need, this one first, with your own, all below the line that states the version."
@@ -144,6 +148,11 @@ impl Printer<'_> {
             Language::Hlsl => Some(
                 "`precise` keeps compilers from fusing and reordering operations. Where UNITVEC_EXACT is defined, quotients and \
                  roots are put right.",
+            ),
+            Language::Cpp => Some(
+                "g++, clang, nvcc (-fmad=true) and hipcc fuse products and sums where the target can: unitvec_rounded prevents \
+                 that. Fast math (__FAST_MATH__) is an error. Where a GPU divides in its own way (nvcc's -prec-div=false, \
+                 -prec-sqrt=false, -ftz=true) define UNITVEC_EXACT, which puts quotients and roots right.",
             ),
             Language::Msl => Some(
                 "The pragma `clang fp contract(off)` holds to the end of what includes this. With fast math, which Metal has \

@@ -1,6 +1,6 @@
 //! Expressions.
 
-use super::{BARRIER, Printer, joined};
+use super::{BARRIER, Printer, ROUNDED, joined};
 use crate::Language;
 use crate::parse::precedence;
 use crate::syntax::{Expr, ExprKind, Scalar, Type};
@@ -28,6 +28,9 @@ impl Printer<'_> {
 
     /// An expression's text, and how tightly it holds together.
     fn parts(&self, expr: &Expr) -> (String, usize) {
+        if self.needs_barrier(expr) && self.language == Language::Cpp {
+            return (format!("{ROUNDED}({})", self.unguarded(expr).0), WHOLE);
+        }
         if self.needs_barrier(expr) {
             let barrier = self.spread(BARRIER.to_owned(), &expr.ty);
             return (format!("min({}, {barrier})", self.unguarded(expr).0), WHOLE);
@@ -69,6 +72,9 @@ impl Printer<'_> {
             ExprKind::BuiltIn(name, arguments) => (self.built_in(name, arguments, &expr.ty), WHOLE),
             ExprKind::Macro(name, arguments) => (format!("{name}({})", self.list(arguments)), WHOLE),
             ExprKind::Construct(arguments) => self.construct(&expr.ty, arguments),
+            ExprKind::Member(of, name) if self.language == Language::Cpp && is_swizzle(of, name) => {
+                (format!("{}.{name}()", self.at_least(of, WHOLE)), WHOLE)
+            }
             ExprKind::Member(of, name) => (format!("{}.{name}", self.at_least(of, WHOLE)), WHOLE),
             ExprKind::Index(of, index) => {
                 (format!("{}[{}]", self.at_least(of, WHOLE), self.expr(index)), WHOLE)
@@ -78,7 +84,11 @@ impl Printer<'_> {
 
     pub(super) fn number(&self, text: &str, ty: &Type) -> String {
         let is_float = *ty == Type::FLOAT;
-        if is_float && self.language == Language::Msl { format!("{text}f") } else { text.to_owned() }
+        if is_float && matches!(self.language, Language::Msl | Language::Cpp) {
+            format!("{text}f")
+        } else {
+            text.to_owned()
+        }
     }
 
     /// The source's parentheses, unless their content has become a single term.
@@ -114,7 +124,7 @@ impl Printer<'_> {
         }
         let text = format!("{a} {operator} {b}");
         let is_vector_equality = ["==", "!="].contains(&operator) && left.ty.size() > 1;
-        if is_vector_equality && !self.language.is_glsl() {
+        if is_vector_equality && !self.language.is_glsl() && self.language != Language::Cpp {
             let all = if operator == "==" { "all" } else { "any" };
             return (format!("{all}({text})"), WHOLE);
         }
@@ -186,6 +196,7 @@ impl Printer<'_> {
 
     fn built_in(&self, name: &str, arguments: &[Expr], ty: &Type) -> String {
         match (name, self.language) {
+            (_, Language::Cpp) => format!("{name}({})", self.list(arguments)),
             ("floatBitsToUint" | "uintBitsToFloat", language) if !language.is_glsl() => {
                 format!("{}({})", self.bit_cast(name, ty), self.expr(&arguments[0]))
             }
@@ -225,6 +236,9 @@ impl Printer<'_> {
                 _ => (format!("({name})({})", self.expr(&arguments[0])), UNARY),
             };
         }
+        if self.language == Language::Cpp && matches!(ty, Type::Struct(_)) {
+            return (format!("{name}{{{}}}", self.list(arguments)), WHOLE);
+        }
         (format!("{name}({})", self.list(arguments)), WHOLE)
     }
 }
@@ -255,6 +269,11 @@ fn scalar_of(ty: &Type) -> Scalar {
         Type::Value(scalar, _) | Type::Array(scalar, _) => *scalar,
         _ => Scalar::Bool,
     }
+}
+
+/// True for a member that is several components of a vector.
+fn is_swizzle(of: &Expr, name: &str) -> bool {
+    matches!(of.ty, Type::Value(..)) && name.len() > 1
 }
 
 /// True for a number by which products are exact.

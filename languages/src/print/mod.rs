@@ -36,6 +36,14 @@ const BARRIER: &str = "UNITVEC_HUGE";
 /// The beginning of the names of what only exact editions need.
 const OF_EXACT: &str = "unitvec_exact_";
 
+/// The barrier of C++, a function.
+const ROUNDED: &str = "unitvec_rounded";
+
+/// The types and functions of GLSL in C++.
+pub const VECTORS: (&str, &str) = ("vectors.hpp", include_str!("vectors.hpp"));
+
+const NAMESPACE: &str = "namespace unitvec {";
+
 /// The file that has the barriers, and the arithmetic that all families need.
 pub const ARITH: &str = "arith.glsl";
 
@@ -74,7 +82,7 @@ impl<'a> Printer<'a> {
 
     /// True where barriers are needed.
     fn has_barriers(&self) -> bool {
-        self.edition == Edition::Exact && !self.language.has_precise()
+        self.language == Language::Cpp || self.edition == Edition::Exact && !self.language.has_precise()
     }
 
     /// A whole file.
@@ -103,16 +111,24 @@ impl<'a> Printer<'a> {
         }
         let before_items = self.lines.len();
         if file.name == ARITH {
-            self.prelude();
+            self.prelude(true);
         }
-        for item in &file.items {
-            self.item(file, item)?;
+        let (includes, others): (Vec<&Item>, Vec<&Item>) =
+            file.items.iter().partition(|item| matches!(item.kind, ItemKind::Include { .. }));
+        includes.into_iter().try_for_each(|item| self.item(file, item))?;
+        let has_namespace = self.language == Language::Cpp && file.name != ALL;
+        if has_namespace {
+            self.lines.extend([String::new(), NAMESPACE.to_owned(), String::new()]);
         }
+        others.into_iter().try_for_each(|item| self.item(file, item))?;
         if self.asked != self.language {
             let imports = self.imports(file, before_items);
             self.lines.splice(before_items..before_items, imports);
         }
         self.comments(0, &file.tail);
+        if has_namespace {
+            self.lines.extend([String::new(), "}".to_owned()]);
+        }
         if is_guarded {
             self.lines.extend([String::new(), "#endif".to_owned()]);
         }
@@ -146,7 +162,7 @@ impl<'a> Printer<'a> {
     }
 
     /// The lines before the first declaration.
-    fn prelude(&mut self) {
+    fn prelude(&mut self, is_file: bool) {
         if self.asked == Language::NagaOil && !self.has_module {
             self.lines.extend(["#define_import_path unitvec".to_owned(), String::new()]);
         }
@@ -155,10 +171,15 @@ impl<'a> Printer<'a> {
                         #pragma clang fp contract(off)\n\n";
             self.lines.extend(head.lines().map(str::to_owned));
         }
+        if self.language == Language::Cpp && is_file {
+            self.lines.extend([format!("#include \"{}\"", VECTORS.0), String::new()]);
+        } else if self.language == Language::Cpp {
+            self.lines.extend(VECTORS.1.lines().map(str::to_owned));
+        }
         if self.edition == Edition::Exact && self.language.has_precise() {
             self.lines.extend([format!("#define {EXACT}"), String::new()]);
         }
-        if self.has_barriers() {
+        if self.has_barriers() && self.language != Language::Cpp {
             // In GLSL ES it stands above the default precision.
             let ty =
                 if self.language == Language::GlslEs { "highp float" } else { &self.type_name(&Type::FLOAT) };
@@ -177,14 +198,17 @@ impl<'a> Printer<'a> {
         // Editions do not mix: with one prefix, a text would take the other edition's functions without a word.
         let prefix = if self.edition == Edition::Exact { "UNITVEC_ONCE_EXACT_" } else { "UNITVEC_ONCE_" };
         let from = self.lines.len();
-        self.prelude();
+        self.prelude(false);
         self.guard_from(from, Some(format!("{prefix}PRELUDE")));
         self.settings(first)?;
+        let is_cpp = self.language == Language::Cpp;
+        self.lines.extend(is_cpp.then(|| NAMESPACE.to_owned()));
         for part in parts {
             let from = self.lines.len();
             part.items.iter().try_for_each(|(file, item)| self.excerpted(file, item))?;
             self.guard_from(from, part.guard(prefix));
         }
+        self.lines.extend(is_cpp.then(|| "}".to_owned()));
         Ok(())
     }
 
@@ -319,6 +343,10 @@ impl<'a> Printer<'a> {
 
     fn constant(&mut self, constant: &Constant) {
         let (ty, value) = (self.type_name(&constant.ty), self.value(&constant.value));
+        // An object of a class in the host's memory is none for a GPU.
+        if self.language == Language::Cpp && !matches!(constant.ty, Type::Value(_, 1)) {
+            return self.line(format!("#define {} {value}", constant.name));
+        }
         let text = self.constant_text(&ty, &constant.name, &value);
         self.wrapped(0, &text);
     }
@@ -326,6 +354,7 @@ impl<'a> Printer<'a> {
     fn constant_text(&self, ty: &str, name: &str, value: &str) -> String {
         match self.language {
             Language::Wgsl => format!("const {name}: {ty} = {value};"),
+            Language::Cpp => format!("constexpr {ty} {name} = {value};"),
             Language::Msl => format!("constant {ty} {name} = {value};"),
             Language::Hlsl | Language::Slang => format!("static const {ty} {name} = {value};"),
             _ => format!("const {ty} {name} = {value};"),
@@ -366,6 +395,7 @@ impl<'a> Printer<'a> {
             .iter()
             .filter(|parameter| self.is_copied(parameter))
             .map(|Parameter { name, .. }| format!("    var {name} = {name}_in;"))
+            .chain(self.unused_in_plain(function))
             .collect();
         self.block(0, &head, &function.body, copies);
         self.pointers.clear();
@@ -374,6 +404,21 @@ impl<'a> Printer<'a> {
     /// True for a parameter that a function assigns to, where the language forbids this.
     fn is_copied(&self, parameter: &Parameter) -> bool {
         self.language == Language::Wgsl && !parameter.is_out && self.assigned.contains(&parameter.name)
+    }
+
+    /// Uses of the parameters that only the exact edition uses, where compilers warn of the others.
+    fn unused_in_plain(&self, function: &Function) -> Vec<String> {
+        let used = |exact: Branch| {
+            function.names_used(&|condition| match condition {
+                Condition::Exact(_) => exact,
+                _ => Branch::Both,
+            })
+        };
+        let (all, plain) = (used(Branch::Both), used(Branch::Otherwise));
+        let names = function.parameters.iter().map(|parameter| parameter.name.as_str());
+        let unused = names
+            .filter(|name| self.language == Language::Cpp && all.contains(name) && !plain.contains(name));
+        unused.map(|name| format!("    (void){name};")).collect()
     }
 
     fn function_head(&self, function: &Function, file: &File) -> String {
@@ -385,6 +430,7 @@ impl<'a> Printer<'a> {
         match self.language {
             Language::Wgsl if function.returns == Type::Void => format!("fn {name}({parameters})"),
             Language::Wgsl => format!("fn {name}({parameters}) -> {returns}"),
+            Language::Cpp => format!("UNITVEC_FN {returns} {name}({parameters})"),
             Language::Msl => format!("inline {returns} {name}({parameters})"),
             Language::Slang if self.has_module && is_public(name, file) => {
                 format!("public {returns} {name}({parameters})")
@@ -393,7 +439,7 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// `used` are the names that the body uses: compilers of MSL warn of a parameter with a name and without a use.
+    /// `used` are the names that the body uses: compilers of MSL and C++ warn of a parameter with a name and without a use.
     fn parameter(&self, parameter: &Parameter, used: &[&str]) -> String {
         let Parameter { ty, name, is_out } = parameter;
         let ty = self.type_name(ty);
@@ -402,7 +448,8 @@ impl<'a> Printer<'a> {
             (Language::Wgsl, false) if self.is_copied(parameter) => format!("{name}_in: {ty}"),
             (Language::Wgsl, false) => format!("{name}: {ty}"),
             (Language::Msl, true) => format!("thread {ty}& {name}"),
-            (Language::Msl, false) if !used.contains(&name.as_str()) => ty,
+            (Language::Cpp, true) => format!("{ty}& {name}"),
+            (Language::Msl | Language::Cpp, false) if !used.contains(&name.as_str()) => ty,
             (_, true) => format!("out {ty} {name}"),
             (_, false) => format!("{ty} {name}"),
         }

@@ -3,10 +3,10 @@
 
 mod barriers;
 mod cases;
+mod cpp;
 mod fxc;
 mod job;
 mod linked;
-mod metal;
 mod report;
 mod spirv;
 mod tally;
@@ -63,7 +63,7 @@ struct Options {
     /// Folder with Chromium in usr/lib/chromium
     #[arg(long)]
     chromium: Option<PathBuf>,
-    /// Runs MSL, by clang
+    /// Runs MSL by clang, and C++ by clang and GCC
     #[arg(long)]
     clang: bool,
     /// Runs WGSL by wgpu
@@ -168,6 +168,7 @@ impl Rows<'_> {
         }
         if options.clang {
             self.msl(&options.scratch.join("msl"));
+            self.cpp(&options.scratch.join("cpp"));
         }
     }
 
@@ -267,16 +268,27 @@ impl Rows<'_> {
     }
 
     fn msl(&self, scratch: &Path) {
-        let version = tool::output(Command::new("clang++").arg("-dumpversion")).unwrap_or_default();
-        let name = format!("clang {}", version.trim());
+        let name = compiler_name("clang++");
         for (edition, mode) in [
             (Edition::Plain, Mode::Usual),
             (Edition::Plain, Mode::FastMath),
             (Edition::Exact, Mode::FastMath),
         ] {
             let subject = Subject::new(Language::Msl, edition, &name).mode(mode);
-            let options: &[&str] = if mode == Mode::FastMath { &metal::HOSTILE } else { &[] };
-            self.add(subject, |_, jobs, tally| metal::run(edition, options, scratch, jobs, tally));
+            let hostile: &[&str] = if mode == Mode::FastMath { &cpp::HOSTILE } else { &[] };
+            let (options, language) = ([&cpp::MSL[..], hostile], Language::Msl);
+            let compiler = cpp::Compiler { program: "clang++", options: &options, language };
+            self.add(subject, |_, jobs, tally| cpp::run(compiler, edition, scratch, jobs, tally));
+        }
+    }
+
+    fn cpp(&self, scratch: &Path) {
+        for program in ["g++", "clang++"] {
+            for edition in EDITIONS {
+                let compiler = cpp::Compiler { program, options: &[&cpp::FUSING], language: Language::Cpp };
+                let subject = Subject::new(Language::Cpp, edition, &compiler_name(program));
+                self.add(subject, |_, jobs, tally| cpp::run(compiler, edition, scratch, jobs, tally));
+            }
         }
     }
 
@@ -300,6 +312,12 @@ impl Rows<'_> {
         print!("{}", row.told());
         self.rows.lock().unwrap_or_else(PoisonError::into_inner).push(row);
     }
+}
+
+/// A compiler's name and version.
+fn compiler_name(program: &str) -> String {
+    let version = tool::output(Command::new(program).arg("-dumpversion")).unwrap_or_default();
+    format!("{} {}", if program == "g++" { "GCC" } else { "clang" }, version.trim())
 }
 
 /// The device that SPIR-V runs on.

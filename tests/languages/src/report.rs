@@ -56,9 +56,10 @@ impl Subject {
         Self { mode, ..self }
     }
 
-    /// GLSL, HLSL and MSL have means of their own to keep arithmetic as it is written, where the compiler heeds them.
+    /// GLSL, HLSL, MSL and C++ have means of their own to keep arithmetic as it is written, where the compiler heeds them.
     pub fn promise(&self) -> Promise {
-        let has_means = matches!(self.language, Language::Glsl | Language::Hlsl | Language::Msl);
+        let has_means =
+            matches!(self.language, Language::Glsl | Language::Hlsl | Language::Msl | Language::Cpp);
         match (self.edition, self.mode) {
             (_, Mode::Compiled) => Promise::Compiled,
             // The library's arithmetic is marked as exact.

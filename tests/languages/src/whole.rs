@@ -22,7 +22,10 @@ pub fn text(language: Language, edition: Edition) -> Result<String> {
         Language::Hlsl if edition == Edition::Exact => {
             format!("#define {EXACT}\n#include \"unitvec.hlsl\"\n")
         }
-        Language::Hlsl | Language::Msl => format!("#include \"unitvec.{}\"\n", language.extension()),
+        Language::Cpp if edition == Edition::Exact => format!("#define {EXACT}\n#include \"unitvec.hpp\"\n"),
+        Language::Hlsl | Language::Msl | Language::Cpp => {
+            format!("#include \"unitvec.{}\"\n", language.extension())
+        }
         Language::Slang => "import unitvec;\n".to_owned(),
         _ => joined(language, edition)?,
     };
@@ -54,10 +57,15 @@ fn calls(language: Language) -> String {
         Language::GlslEs | Language::Godot => {
             ("uvec2 all_codecs(uvec2 code, vec3 normal, vec4 tangent) {\n", "")
         }
+        Language::Cpp => (
+            "namespace unitvec {\nUNITVEC_FN uint2 all_codecs(uint2 code, float3 normal, float4 tangent) {\n",
+            "",
+        ),
         _ => ("uint2 all_codecs(uint2 code, float3 normal, float4 tangent) {\n", ""),
     };
     let calls: String = CODECS.iter().map(|format| call(format, reference)).collect();
-    format!("\n{head}{calls}    return code;\n}}\n")
+    let end = if language == Language::Cpp { "}\n" } else { "" };
+    format!("\n{head}{calls}    return code;\n}}\n{end}")
 }
 
 fn call(format: &AnyCodec, reference: &str) -> String {

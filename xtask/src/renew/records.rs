@@ -309,7 +309,7 @@ pub static RECORDS: &[Record] = &[
             OTHER_LANGUAGES,
             &[
                 Code("tests/languages/src/*.rs"),
-                Bytes("tests/languages/src/fxc/*.c tests/languages/src/metal/* tests/languages/src/python/*"),
+                Bytes("tests/languages/src/fxc/*.c tests/languages/src/cpp/* tests/languages/src/python/*"),
                 Bytes("tests/languages/src/web/*"),
                 Versions(languages::versions),
             ],

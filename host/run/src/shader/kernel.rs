@@ -3,18 +3,19 @@
 //!
 //! Compute kernels have the words of elements or codes in binding 0 and those of the results in binding 1. They count
 //! by the size of the latter; 64 invocations of a workgroup take four elements each, as
-//! [`Runner`](unitvec_vulkan::Runner) dispatches them. Metal's take one element an invocation and receive their number.
+//! [`Runner`](unitvec_vulkan::Runner) dispatches them. Metal's and those of C++ take one element an invocation and receive their
+//! number.
 //! GLSL ES has fragments instead, of one element each: its words are those of two texels in a row, and the results'
 //! those of two targets.
 
 use super::Language;
 use unitvec_catalogue::{AnyCodec, Element, Operation};
 
-/// The name of the entry point of all kernels but Metal's, whose names are those of [`metal_name`].
+/// The name of the entry point of all kernels but those of Metal and C++, whose names are those of [`own_name`].
 pub const ENTRY_POINT: &str = "main";
 
-/// The name of a kernel in Metal, where all of them may stand in one file.
-pub fn metal_name(format: &AnyCodec, operation: Operation) -> String {
+/// The name of a kernel in Metal or C++, where all of them may stand in one file.
+pub fn own_name(format: &AnyCodec, operation: Operation) -> String {
     format!("{}_kernel", format.function(operation))
 }
 
@@ -67,7 +68,7 @@ pub fn kernel(language: Language, format: &AnyCodec, operation: Operation) -> St
         lines.extend(values.iter().enumerate().map(store));
     }
     let text = entry(language).replace("WRITTEN", &written.to_string());
-    let text = text.replace("NAME", &metal_name(format, operation));
+    let text = text.replace("NAME", &own_name(format, operation));
     let indent = text.lines().find_map(|line| line.strip_suffix("BODY")).unwrap_or_default();
     text.replace("BODY", &lines.join(&format!("\n{indent}")))
 }
@@ -79,7 +80,7 @@ fn encode(syntax: &Syntax, format: &AnyCodec, inputs: &[String]) -> (Vec<String>
         Element::Frame => [&inputs[..3], &inputs[3..]].map(|words| syntax.floats(words)).join(", "),
     };
     let words = code_words(format);
-    let call = format!("{}({arguments})", format.function(Operation::Encode));
+    let call = format!("{}{}({arguments})", syntax.namespace(), format.function(Operation::Encode));
     let values = if words == 1 { vec!["code".to_owned()] } else { components("code", words) };
     (vec![syntax.define(syntax.codes[words - 1], "code", &call)], values)
 }
@@ -90,7 +91,7 @@ fn decode(syntax: &Syntax, format: &AnyCodec, inputs: &[String]) -> (Vec<String>
     let code =
         if inputs.len() == 1 { inputs[0].clone() } else { format!("{code_type}({})", inputs.join(", ")) };
     let mut statements = vec![syntax.define(code_type, "code", &code)];
-    let function = format.function(Operation::Decode);
+    let function = format!("{}{}", syntax.namespace(), format.function(Operation::Decode));
     let [vector, four] = syntax.vectors;
     let floats = match format.element {
         Element::Vector => {
@@ -162,6 +163,13 @@ impl Syntax {
                 to_bits: "as_type<uint>",
                 ..hlsl
             },
+            Language::Cpp => Self {
+                vectors: ["unitvec::float3", "unitvec::float4"],
+                codes: ["unitvec::uint", "unitvec::uint2"],
+                from_bits: ["uintBitsToFloat(unitvec::uint3", "uintBitsToFloat(unitvec::uint4"],
+                to_bits: "unitvec::floatBitsToUint",
+                ..hlsl
+            },
             Language::Wgsl | Language::NagaOil | Language::Wesl => Self {
                 vectors: ["vec3f", "vec4f"],
                 codes: ["u32", "vec2u"],
@@ -180,6 +188,11 @@ impl Syntax {
                 ..hlsl
             },
         }
+    }
+
+    /// The beginning of a function's name.
+    fn namespace(&self) -> &'static str {
+        if self.language == Language::Cpp { "unitvec::" } else { "" }
     }
 
     /// The n-th word of an element or code that has so many.
@@ -220,6 +233,7 @@ fn entry(language: Language) -> &'static str {
         Language::Wgsl | Language::NagaOil | Language::Wesl => WGSL,
         Language::Slang => SLANG,
         Language::Msl => MSL,
+        Language::Cpp => CPP,
         Language::GlslEs | Language::Godot => GLSL_ES,
     }
 }
@@ -285,6 +299,14 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
 const MSL: &str = "
 kernel void NAME(device const uint* words [[buffer(0)]], device uint* results [[buffer(1)]],
     constant uint& count [[buffer(2)]], uint i [[thread_position_in_grid]]) {
+    if (i < count) {
+        BODY
+    }
+}
+";
+
+const CPP: &str = "
+UNITVEC_FN void NAME(const unitvec::uint* words, unitvec::uint* results, const unitvec::uint& count, unitvec::uint i) {
     if (i < count) {
         BODY
     }
