@@ -4,7 +4,7 @@ use crate::Status;
 use std::ffi::c_void;
 use std::ops::Range;
 use unitvec::slice::LengthMismatch;
-use unitvec_catalogue::{AnyCodec, Operation, has_direction, round};
+use unitvec_catalogue::{AnyCodec, Operation, has_direction};
 
 /// Numbers of elements are `float`.
 pub const UNITVEC_FLOAT32: u32 = 4;
@@ -125,9 +125,7 @@ impl Portion {
         let width = codec.element.floats();
         let floats = &mut self.floats[..count * width];
         if scalar == UNITVEC_FLOAT64 {
-            // Handedness is a number by itself.
-            let parts = |from: &[f64], to: &mut [f32]| round(from, to, codec.element.part_floats());
-            self.doubles.chunks(width).zip(floats.chunks_mut(width)).for_each(|(from, to)| parts(from, to));
+            codec.element.round(&self.doubles, floats);
         }
         codec.encode_here(floats, &mut self.codes[..count * codec.bytes])?;
         Ok(floats.chunks(width).filter(|element| !has_direction(&element[..3])).count())

@@ -1,24 +1,34 @@
 //! Needs of callers from other languages: doubles, and processes that fork.
 
-use crate::has_direction;
+use crate::{Element, has_direction};
 use std::process;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// Rounds elements of doubles, three components or four of a rotation at a time, to floats: parts of `part` numbers. A part
-/// whose direction floats would not hold is divided by its largest component first.
-///
-/// ```
-/// let mut floats = [0.0; 3];
-/// unitvec_catalogue::round(&[1e300, 0.0, -1e300], &mut floats, 3);
-/// assert_eq!(floats, [1.0, 0.0, -1.0]);
-/// ```
-pub fn round(doubles: &[f64], floats: &mut [f32], part: usize) {
-    floats.iter_mut().zip(doubles).for_each(|(to, from)| *to = *from as f32);
-    for (from, to) in doubles.chunks(part).zip(floats.chunks_mut(part)).filter(|(_, to)| !has_direction(to)) {
-        let largest = from.iter().fold(0.0, |largest: f64, component| largest.max(component.abs()));
-        if largest > 0.0 && largest.is_finite() {
-            to.iter_mut().zip(from).for_each(|(to, from)| *to = (from / largest) as f32);
+impl Element {
+    /// Rounds elements of doubles to floats. A part whose direction floats would not hold is divided by its largest component
+    /// first.
+    ///
+    /// ```
+    /// let mut floats = [0.0; 3];
+    /// unitvec_catalogue::Element::Vector.round(&[1e300, 0.0, -1e300], &mut floats);
+    /// assert_eq!(floats, [1.0, 0.0, -1.0]);
+    /// ```
+    pub fn round(self, doubles: &[f64], floats: &mut [f32]) {
+        // Handedness, the last number of frames, is a part by itself.
+        for (from, to) in doubles.chunks(self.floats()).zip(floats.chunks_mut(self.floats())) {
+            from.chunks(self.part_floats()).zip(to.chunks_mut(self.part_floats())).for_each(round_part);
         }
+    }
+}
+
+fn round_part((from, to): (&[f64], &mut [f32])) {
+    to.iter_mut().zip(from).for_each(|(to, from)| *to = *from as f32);
+    if has_direction(to) {
+        return;
+    }
+    let largest = from.iter().fold(0.0, |largest: f64, component| largest.max(component.abs()));
+    if largest > 0.0 && largest.is_finite() {
+        to.iter_mut().zip(from).for_each(|(to, from)| *to = (from / largest) as f32);
     }
 }
 

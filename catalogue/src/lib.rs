@@ -36,7 +36,7 @@ use unitvec::{Codec, Listed, ListedFrame, ListedRotation, angle_deg, rotation_an
 #[cfg(doc)]
 use unitvec::{FrameCodec, RotationCodec};
 
-pub use callers::{has_threads, round};
+pub use callers::has_threads;
 pub use cpu::best_fit_table;
 pub use formats::{find_any, formats};
 pub use list::{CODECS, directions, frames, rotations, vectors};
@@ -314,6 +314,11 @@ impl Element {
             Self::Vector | Self::Frame => 3,
             Self::Rotation => 4,
         }
+    }
+
+    /// A part of an element, by its place in [`directions`](Self::directions).
+    pub fn part(self, element: &[f32], index: usize) -> &[f32] {
+        &element[index * self.part_floats()..][..self.part_floats()]
     }
 
     /// The parts of an element, in the order of [`directions`](Self::directions).

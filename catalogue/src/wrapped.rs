@@ -57,6 +57,22 @@ impl Measure {
         }
     }
 
+    /// [`error`](Self::error) of a part of an element, by its place among the parts; `None` also where a part before it, as the
+    /// normal of a tangent, cannot be measured.
+    pub fn error_of_part(
+        self,
+        element: Element,
+        part: usize,
+        original: &[f32],
+        decoded: &[f32],
+    ) -> Option<f64> {
+        let mut before = element.parts(original).take(part);
+        if !before.all(|part| self.takes(part)) {
+            return None;
+        }
+        self.error(element.part(original, part), element.part(decoded, part))
+    }
+
     /// The names of the parts of an element that have an error.
     pub const fn parts(self, element: Element) -> &'static [&'static str] {
         match (element, self) {

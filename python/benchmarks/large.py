@@ -15,20 +15,11 @@ import zarr
 from dask.distributed import Client, LocalCluster
 
 import unitvec
+from speed import least
 from unitvec.zarr import Unitvec
 
 CODECS = ["oct16p", "oct24p", "oct32p", "oct52p"]
 CHUNK = 2_000_000
-
-
-def best(work, clock=time.perf_counter) -> float:
-    """Seconds of the fastest of 5 runs."""
-    times = []
-    for _ in range(5):
-        start = clock()
-        work()
-        times.append(clock() - start)
-    return min(times)
 
 
 def one_core() -> dict[str, tuple[float, float]]:
@@ -38,8 +29,11 @@ def one_core() -> dict[str, tuple[float, float]]:
     for codec in CODECS:
         codes = unitvec.encode(vectors, codec, null=True)
         back, given = np.empty_like(vectors), {"null": True, "threads": 1}
-        encoding = best(lambda: unitvec.encode(vectors, codec, out=codes, **given), time.process_time)
-        decoding = best(lambda: unitvec.decode(codes, codec, out=back, **given), time.process_time)
+        encoding, decoding = least(
+            lambda: unitvec.encode(vectors, codec, out=codes, **given),
+            lambda: unitvec.decode(codes, codec, out=back, **given),
+            clock=time.process_time,
+        )
         found[codec] = encoding / CHUNK * 1e9, decoding / CHUNK * 1e9
     return found
 
@@ -52,11 +46,9 @@ def over_processes(count: int, workers: int) -> list[float]:
         given = {"filters": [Unitvec("oct32p")], "compressors": None}
         store = zarr.create_array(folder, shape=vectors.shape, chunks=(CHUNK, 3), dtype="float32", **given)
         read = dask.array.from_zarr(store).sum()
-        return [
-            best(vectors.sum().compute),
-            best(lambda: dask.array.store(vectors, store, lock=False)),
-            best(read.compute),
-        ]
+        return least(
+            vectors.sum().compute, lambda: dask.array.store(vectors, store, lock=False), read.compute
+        )
 
 
 def main(count: int) -> None:

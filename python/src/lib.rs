@@ -71,9 +71,8 @@ mod _native {
     /// The identifiers of all codecs, and of all formats of other software.
     #[pyfunction]
     fn names() -> [Vec<&'static str>; 2] {
-        let ids =
-            |codecs: &mut dyn Iterator<Item = &'static AnyCodec>| codecs.map(|codec| codec.id).collect();
-        [ids(&mut CODECS.iter().chain(&WRAPPED)), ids(&mut formats().iter())]
+        let codecs = CODECS.iter().chain(&WRAPPED).map(|codec| codec.id);
+        [codecs.collect(), formats().iter().map(|format| format.id).collect()]
     }
 
     /// Encodes elements to codes in `item` bytes each.

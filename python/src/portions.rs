@@ -4,7 +4,7 @@ use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use std::borrow::Cow;
-use unitvec_catalogue::{AnyCodec, Null, has_threads, round};
+use unitvec_catalogue::{AnyCodec, Element, Null, has_threads};
 
 /// Elements of a portion. The slices of `unitvec` prefetch from 1 MiB of floats on.
 const PORTION: usize = 1 << 17;
@@ -20,23 +20,15 @@ pub enum Floats<'a> {
 }
 
 impl<'a> Floats<'a> {
-    fn len(self) -> usize {
+    /// The floats of the portion of this index.
+    fn portion(self, element: Element, index: usize) -> Cow<'a, [f32]> {
+        let size = PORTION * element.floats();
         match self {
-            Self::Single(floats) => floats.len(),
-            Self::Double(floats) => floats.len(),
-        }
-    }
-
-    /// The floats of the portion of this index, of `size` floats but the last one.
-    fn portion(self, index: usize, size: usize, part: usize) -> Cow<'a, [f32]> {
-        let range = index * size..self.len().min((index + 1) * size);
-        match self {
-            Self::Single(floats) => Cow::Borrowed(&floats[range]),
+            Self::Single(floats) => Cow::Borrowed(floats.chunks(size).nth(index).unwrap_or_default()),
             Self::Double(doubles) => {
-                let mut floats = vec![0.0; range.len()];
-                // Handedness, the last float of frames, is a part by itself.
-                let frames = floats.chunks_mut(size / PORTION).zip(doubles[range].chunks(size / PORTION));
-                frames.for_each(|(floats, doubles)| round(doubles, floats, part));
+                let doubles = doubles.chunks(size).nth(index).unwrap_or_default();
+                let mut floats = vec![0.0; doubles.len()];
+                element.round(doubles, &mut floats);
                 Cow::Owned(floats)
             }
         }
@@ -91,9 +83,8 @@ pub fn encode(
     null: Option<Null<'_>>,
     pool: &Pool,
 ) -> Result {
-    let (size, part) = (PORTION * codec.element.floats(), codec.element.part_floats());
     pool.run(codes, PORTION * item, |index, codes| {
-        let floats = floats.portion(index, size, part);
+        let floats = floats.portion(codec.element, index);
         let encode = |codes: &mut [u8]| {
             codec.encode_here(&floats, codes)?;
             null.map_or(Ok(0), |null| null.put(&floats, codes)).map(drop)
@@ -104,7 +95,7 @@ pub fn encode(
         let mut packed = vec![0; codes.len() / item * codec.bytes];
         encode(&mut packed)?;
         codes.fill(0);
-        copy_each((&packed, codec.bytes), (codes, item), codec.bytes);
+        copy_each((&packed, codec.bytes), (codes, item));
         Ok(())
     })
 }
@@ -123,7 +114,7 @@ pub fn decode(
             true => Cow::Borrowed(codes),
             false => {
                 let mut packed = vec![0; codes.len() / item * codec.bytes];
-                copy_each((codes, item), (&mut packed, codec.bytes), codec.bytes);
+                copy_each((codes, item), (&mut packed, codec.bytes));
                 Cow::Owned(packed)
             }
         };
@@ -132,14 +123,14 @@ pub fn decode(
     })
 }
 
-/// Copies the first `size` bytes of each value to those of another array, whose values are of another size.
-fn copy_each((from, from_size): (&[u8], usize), (to, to_size): (&mut [u8], usize), size: usize) {
+/// Copies the first bytes of each value to those of another array, whose values are of another size.
+fn copy_each((from, from_size): (&[u8], usize), (to, to_size): (&mut [u8], usize)) {
     let copy = |size, to: &mut [u8]| {
         let pairs = from.chunks_exact(from_size).zip(to.chunks_exact_mut(to_size));
         pairs.for_each(|(from, to)| to[..size].copy_from_slice(&from[..size]));
     };
     // Copies of known size are single instructions.
-    match size {
+    match from_size.min(to_size) {
         3 => copy(3, to),
         6 => copy(6, to),
         size => copy(size, to),
@@ -148,21 +139,17 @@ fn copy_each((from, from_size): (&[u8], usize), (to, to_size): (&mut [u8], usize
 
 /// The error of each part of each element.
 pub fn error(codec: &AnyCodec, floats: Floats<'_>, errors: &mut [f64], pool: &Pool) -> Result {
-    let (width, part) = (codec.element.floats(), codec.element.part_floats());
-    let parts = codec.element.directions().len();
+    let (width, parts) = (codec.element.floats(), codec.element.directions().len());
     pool.run(errors, PORTION * parts, |index, errors| {
-        let floats = floats.portion(index, PORTION * width, part);
+        let floats = floats.portion(codec.element, index);
         let mut codes = vec![0; floats.len() / width * codec.bytes];
         let mut decoded = vec![0.0; floats.len()];
         codec.encode_here(&floats, &mut codes)?;
         codec.decode_here(&codes, &mut decoded)?;
         let elements = floats.chunks_exact(width).zip(decoded.chunks_exact(width));
-        for ((element, decoded), errors) in elements.zip(errors.chunks_exact_mut(parts)) {
-            let pairs = codec.element.parts(element).zip(codec.element.parts(decoded));
-            let mut is_whole = true;
-            for ((v, d), error) in pairs.zip(errors) {
-                let measured = codec.measure().error(v, d).filter(|_| is_whole);
-                is_whole = measured.is_some();
+        for ((original, decoded), errors) in elements.zip(errors.chunks_exact_mut(parts)) {
+            for (part, error) in errors.iter_mut().enumerate() {
+                let measured = codec.measure().error_of_part(codec.element, part, original, decoded);
                 *error = measured.unwrap_or(f64::NAN);
             }
         }

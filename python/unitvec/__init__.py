@@ -206,11 +206,23 @@ def _flat(elements: Any, by: Codec) -> tuple[np.ndarray, tuple[int, ...]]:
     array = _array(elements)
     if not isinstance(elements, np.ndarray) and array.dtype.kind in "iu":
         array = array.astype(np.float64)
-    if array.dtype.kind != "f" or array.dtype.itemsize not in (4, 8):
-        raise ValueError(f"elements are float32 or float64, not {array.dtype}; .astype('float32') makes them so")
+    _check_floats(array.dtype, by)
     if array.ndim == 0 or array.shape[-1] != by.floats:
         raise ValueError(f"{by.id} encodes {by.element} of shape (..., {by.floats}), not {array.shape}")
     return np.require(array, array.dtype.newbyteorder("="), ["C", "A"]).reshape(-1), array.shape[:-1]
+
+
+def _check_floats(dtype: np.dtype[Any], by: Codec) -> None:
+    if dtype.kind != "f" or dtype.itemsize not in (4, 8):
+        raise ValueError(f"{by.id} encodes float32 or float64, not {dtype}; .astype('float32') makes them so")
+
+
+def _with_null(name: str) -> Codec:
+    """The codec of this name, for stores, which fill what was never written."""
+    found = codec(name)
+    if found.null is None:
+        raise ValueError(f"{name} has no null code for fill values; take another, as 'oct32p'")
+    return found
 
 
 def _output(

@@ -35,11 +35,8 @@ class Unitvec(Codec):
     codec_id = "unitvec"
 
     def __init__(self, codec: str = "oct32p", dtype: Any = "<f4", max_error_deg: float | None = None) -> None:
-        facts, floats = unitvec.codec(codec), np.dtype(dtype)
-        if facts.null is None:
-            raise ValueError(f"{codec} has no null code for fill values; take another, as 'oct32p'")
-        if floats.kind != "f" or floats.itemsize not in (4, 8):
-            raise ValueError(f"{codec} encodes float32 or float64, not {floats}; .astype('float32') makes them so")
+        facts, floats = unitvec._with_null(codec), np.dtype(dtype)
+        unitvec._check_floats(floats, facts)
         self.codec, self.dtype, self.max_error_deg = codec, floats.str, max(facts.max_errors_deg)
 
     def encode(self, buf: Any) -> np.ndarray:

@@ -45,10 +45,7 @@ class Unitvec(ArrayArrayCodec):
     is_fixed_size = True
 
     def __post_init__(self) -> None:
-        facts = unitvec.codec(self.codec)
-        if facts.null is None:
-            raise ValueError(f"{self.codec} has no null code for fill values; take another, as 'oct32p'")
-        object.__setattr__(self, "max_error_deg", max(facts.max_errors_deg))
+        object.__setattr__(self, "max_error_deg", max(unitvec._with_null(self.codec).max_errors_deg))
 
     @classmethod
     def from_dict(cls, data: dict[str, Any]) -> Unitvec:
@@ -74,9 +71,7 @@ class Unitvec(ArrayArrayCodec):
         return input_byte_length // vector * unitvec.codec(self.codec).dtype.itemsize
 
     def _check(self, shape: tuple[int, ...], dtype: Any) -> None:
-        native = dtype.to_native_dtype()
-        if native.kind != "f" or native.itemsize not in (4, 8):
-            raise ValueError(f"{self.codec} encodes float32 or float64, not {native}; .astype('float32') makes them so")
+        unitvec._check_floats(dtype.to_native_dtype(), unitvec.codec(self.codec))
         if not shape or shape[-1] != 3:
             raise ValueError(f"arrays and chunks of directions have a last axis of 3, not the shape {shape}")
 

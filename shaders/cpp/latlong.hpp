@@ -56,9 +56,12 @@ struct UnitvecLatlongRings {
     float offset;
 };
 
-#define UNITVEC_LATLONG_RINGS_16 UnitvecLatlongRings{113.0f, float3(0.7756357f, -1.244649e-5f, 7.392083e-11f), float4(1.1121525f, 1.7299868e-5f, 0.0f, 0.0f), 0.0f, 0.7887458f}
-#define UNITVEC_LATLONG_RINGS_24 UnitvecLatlongRings{1782.0f, float3(0.81366533f, -5.2502063e-8f, 1.2538275e-15f), float4(1.1107166f, 3.7894093e-8f, 9.317108e-15f, 0.0f), 0.0f, 0.23774427f}
-#define UNITVEC_LATLONG_RINGS_32 UnitvecLatlongRings{29225.0f, float3(0.7753543f, -1.8601036e-10f, 1.6516002e-20f), float4(1.135677f, 1.7468939e-10f, 8.533958e-20f, 1.2860357e-30f), 8.5294734e-38f, 0.4510315f}
+#define UNITVEC_LATLONG_RINGS_16 UnitvecLatlongRings{113.0f, float3(0.7756357f, -1.244649e-5f, 7.392083e-11f), \
+    float4(1.1121525f, 1.7299868e-5f, 0.0f, 0.0f), 0.0f, 0.7887458f}
+#define UNITVEC_LATLONG_RINGS_24 UnitvecLatlongRings{1782.0f, float3(0.81366533f, -5.2502063e-8f, 1.2538275e-15f), \
+    float4(1.1107166f, 3.7894093e-8f, 9.317108e-15f, 0.0f), 0.0f, 0.23774427f}
+#define UNITVEC_LATLONG_RINGS_32 UnitvecLatlongRings{29225.0f, float3(0.7753543f, -1.8601036e-10f, 1.6516002e-20f), \
+    float4(1.135677f, 1.7468939e-10f, 8.533958e-20f, 1.2860357e-30f), 8.5294734e-38f, 0.4510315f}
 
 // The start of ring i, 0 to n + 1, given h = i - 1/2: S(i) is the whole part.
 UNITVEC_FN float unitvec_latlong_border(UnitvecLatlongRings rings, float h) {

@@ -55,8 +55,7 @@ fn build(folder: &Path, interpreter: &Path) -> Result<String, String> {
     println!("xtask: builds the wheel from {archive}");
     let mut wheel = Command::new(&pip);
     wheel.args(["-q", "wheel", "--no-deps", "--wheel-dir"]).arg(&archives).arg(archive);
-    // Cargo sets these for what it runs, and rustup would take them for the choice of a compiler.
-    wheel.env_remove("CARGO").env("CARGO_TARGET_DIR", folder.join("cargo")).current_dir(env::temp_dir());
+    wheel.env("CARGO_TARGET_DIR", folder.join("cargo")).current_dir(env::temp_dir());
     run_command(&mut wheel)?;
     only(&archives, "whl")
 }

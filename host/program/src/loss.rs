@@ -238,7 +238,7 @@ impl Meter {
                 let mut elements = originals.to_vec();
                 let pairs = elements.chunks_exact_mut(element.floats()).zip(decoded.chunks(element.floats()));
                 pairs
-                    .filter(|(_, made)| !measure.takes(part_of(made, element, part)))
+                    .filter(|(_, made)| !measure.takes(element.part(made, part)))
                     .for_each(|(original, _)| original.fill(f32::NAN));
                 let elements = &elements;
                 let id = AS_IT_IS;
@@ -303,22 +303,14 @@ impl Chunk<'_> {
     fn errors(&self) -> Vec<Option<f64>> {
         let floats = self.element.floats();
         let pairs = self.elements.par_chunks_exact(floats).zip(self.decoded.par_chunks_exact(floats));
-        pairs.map(|(original, decoded)| self.error(original, decoded)).collect()
-    }
-
-    fn error(&self, original: &[f32], decoded: &[f32]) -> Option<f64> {
-        let mut parts = self.element.parts(original).take(self.part + 1);
-        if !parts.all(|part| self.measure.takes(part)) {
-            return None;
-        }
-        let [v, d] = [original, decoded].map(|floats| part_of(floats, self.element, self.part));
-        self.measure.error(v, d)
+        let error =
+            |(original, decoded)| self.measure.error_of_part(self.element, self.part, original, decoded);
+        pairs.map(error).collect()
     }
 
     fn worst(&self, at: usize) -> Worst {
-        let of = |elements: &[f32]| {
-            part_of(&elements[at * self.element.floats()..], self.element, self.part).to_vec()
-        };
+        let of =
+            |elements: &[f32]| self.element.part(&elements[at * self.element.floats()..], self.part).to_vec();
         Worst {
             file: self.file.into(),
             index: self.before + at as u64,
@@ -326,11 +318,6 @@ impl Chunk<'_> {
             decoded: of(self.decoded),
         }
     }
-}
-
-fn part_of(floats: &[f32], element: Element, part: usize) -> &[f32] {
-    let each = element.part_floats();
-    &floats[each * part..][..each]
 }
 
 /// Low bits of an error, as f32, that its bin disregards: the bins are 2^-11 of their errors wide, so that their middles

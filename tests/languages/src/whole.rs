@@ -10,19 +10,19 @@ use unitvec_run::shader::{EXACT, Edition, Language, library};
 /// The file that includes the others.
 const ALL: &str = "unitvec.glsl";
 
-/// The folder of a language's files.
+/// The folder of a language's files of an edition, or of the only ones, in which a macro chooses.
 pub fn folder(language: Language, edition: Edition) -> PathBuf {
     let repository = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+    let edition = if language.editions().contains(&edition) { edition } else { Edition::Plain };
     PathBuf::from(repository).join("shaders").join(language.id()).join(edition.folder())
 }
 
 /// A text that has all files, and calls every codec's functions.
 pub fn text(language: Language, edition: Edition) -> Result<String> {
     let files = match language {
-        Language::Hlsl if edition == Edition::Exact => {
-            format!("#define {EXACT}\n#include \"unitvec.hlsl\"\n")
+        Language::Hlsl | Language::Cpp if edition == Edition::Exact => {
+            format!("#define {EXACT}\n#include \"unitvec.{}\"\n", language.extension())
         }
-        Language::Cpp if edition == Edition::Exact => format!("#define {EXACT}\n#include \"unitvec.hpp\"\n"),
         Language::Hlsl | Language::Msl | Language::Cpp => {
             format!("#include \"unitvec.{}\"\n", language.extension())
         }
@@ -58,14 +58,13 @@ fn calls(language: Language) -> String {
             ("uvec2 all_codecs(uvec2 code, vec3 normal, vec4 tangent) {\n", "")
         }
         Language::Cpp => (
-            "namespace unitvec {\nUNITVEC_FN uint2 all_codecs(uint2 code, float3 normal, float4 tangent) {\n",
+            "using namespace unitvec;\nUNITVEC_FN uint2 all_codecs(uint2 code, float3 normal, float4 tangent) {\n",
             "",
         ),
         _ => ("uint2 all_codecs(uint2 code, float3 normal, float4 tangent) {\n", ""),
     };
     let calls: String = CODECS.iter().map(|format| call(format, reference)).collect();
-    let end = if language == Language::Cpp { "}\n" } else { "" };
-    format!("\n{head}{calls}    return code;\n}}\n{end}")
+    format!("\n{head}{calls}    return code;\n}}\n")
 }
 
 fn call(format: &AnyCodec, reference: &str) -> String {

@@ -80,7 +80,7 @@ fn encode(syntax: &Syntax, format: &AnyCodec, inputs: &[String]) -> (Vec<String>
         Element::Frame => [&inputs[..3], &inputs[3..]].map(|words| syntax.floats(words)).join(", "),
     };
     let words = code_words(format);
-    let call = format!("{}{}({arguments})", syntax.namespace(), format.function(Operation::Encode));
+    let call = format!("{}({arguments})", format.function(Operation::Encode));
     let values = if words == 1 { vec!["code".to_owned()] } else { components("code", words) };
     (vec![syntax.define(syntax.codes[words - 1], "code", &call)], values)
 }
@@ -91,7 +91,7 @@ fn decode(syntax: &Syntax, format: &AnyCodec, inputs: &[String]) -> (Vec<String>
     let code =
         if inputs.len() == 1 { inputs[0].clone() } else { format!("{code_type}({})", inputs.join(", ")) };
     let mut statements = vec![syntax.define(code_type, "code", &code)];
-    let function = format!("{}{}", syntax.namespace(), format.function(Operation::Decode));
+    let function = format.function(Operation::Decode);
     let [vector, four] = syntax.vectors;
     let floats = match format.element {
         Element::Vector => {
@@ -164,10 +164,8 @@ impl Syntax {
                 ..hlsl
             },
             Language::Cpp => Self {
-                vectors: ["unitvec::float3", "unitvec::float4"],
-                codes: ["unitvec::uint", "unitvec::uint2"],
-                from_bits: ["uintBitsToFloat(unitvec::uint3", "uintBitsToFloat(unitvec::uint4"],
-                to_bits: "unitvec::floatBitsToUint",
+                from_bits: ["uintBitsToFloat(uint3", "uintBitsToFloat(uint4"],
+                to_bits: "floatBitsToUint",
                 ..hlsl
             },
             Language::Wgsl | Language::NagaOil | Language::Wesl => Self {
@@ -188,11 +186,6 @@ impl Syntax {
                 ..hlsl
             },
         }
-    }
-
-    /// The beginning of a function's name.
-    fn namespace(&self) -> &'static str {
-        if self.language == Language::Cpp { "unitvec::" } else { "" }
     }
 
     /// The n-th word of an element or code that has so many.
@@ -306,7 +299,9 @@ kernel void NAME(device const uint* words [[buffer(0)]], device uint* results [[
 ";
 
 const CPP: &str = "
-UNITVEC_FN void NAME(const unitvec::uint* words, unitvec::uint* results, const unitvec::uint& count, unitvec::uint i) {
+using namespace unitvec;
+
+UNITVEC_FN void NAME(const uint* words, uint* results, const uint& count, uint i) {
     if (i < count) {
         BODY
     }

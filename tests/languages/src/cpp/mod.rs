@@ -103,12 +103,9 @@ fn source(language: Language, jobs: &[Job<'_>]) -> String {
 fn compile(compiler: Compiler<'_>, edition: Edition, program: &Path, text: &str) -> Result<PathBuf> {
     let source = program.with_extension(compiler.language.extension());
     fs::write(&source, text).map_err(|error| format!("{}: {error}", source.display()))?;
-    let folder = whole::folder(
-        compiler.language,
-        if compiler.language == Language::Cpp { Edition::Plain } else { edition },
-    );
     let mut command = Command::new(compiler.program);
-    command.args(ARGUMENTS).args(compiler.options.concat()).args(["-I", FOLDER, "-I"]).arg(folder);
+    command.args(ARGUMENTS).args(compiler.options.concat()).args(["-I", FOLDER, "-I"]);
+    command.arg(whole::folder(compiler.language, edition));
     command.arg("-o").arg(program).arg(&source);
     tool::output(&mut command)?;
     Ok(program.to_owned())
