@@ -10,6 +10,7 @@ use std::collections::HashMap;
 use unitvec_catalogue::{AnyCodec, Element};
 use unitvec_run::backend::BackendKind;
 use unitvec_run::glsl;
+use unitvec_run::shader::Edition;
 
 /// The normals that shaders are compiled for, and their storage.
 #[derive(Clone, Copy)]
@@ -119,7 +120,8 @@ impl Shaders {
         match source {
             BackendKind::Rust => Ok(Self::Rust),
             BackendKind::Glsl => {
-                let compiler = Box::new(glsl::Compiler::new()?);
+                // As the modules from Rust: the CPU's bits on devices that divide loosely.
+                let compiler = Box::new(glsl::Compiler::of(Edition::Exact)?);
                 Ok(Self::Glsl { compiler, compiled: RefCell::default() })
             }
             BackendKind::Cpu | BackendKind::Hlsl | BackendKind::Wgsl => {

@@ -120,11 +120,9 @@ impl One<'_> {
         let points = Points::of_normals(self.renderer, normals)?;
         let (texels, normals) = points.draw_texels(self.renderer, &self.variant(), self.fields.format)?;
         let numbers = self.projected(&normals);
-        let expected = match rule {
-            HardwareRounding::Other => self.stored(&numbers, &texels)?,
-            rule => self.rounded(&numbers, rule),
-        };
-        if rule == HardwareRounding::Other && self.projection.has_bit() {
+        let expected =
+            if rule.is_definite() { self.rounded(&numbers, rule) } else { self.stored(&numbers, &texels)? };
+        if !rule.is_definite() && self.projection.has_bit() {
             let lost = self.lost_alpha(&numbers, &texels);
             if lost > 0 {
                 let (format, count) = (self.fields.format, numbers.len());

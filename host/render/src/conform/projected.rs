@@ -1,8 +1,8 @@
 //! Projections that the hardware rounds to snorm, beside the codes that the encoders round themselves.
 
-use super::Traits;
 use super::fields::Fields;
 use super::points::Points;
+use super::{HardwareRounding, Traits};
 use crate::projection::Projection;
 use crate::renderer::encoded;
 use crate::storage::Storage;
@@ -51,6 +51,10 @@ pub(super) fn check(
     let rule = traits.rounding(fields.format);
     let is_rounded = projection.precise_bits().is_some() || ROUNDED.contains(&projection.name);
     let m = fields.most(0);
+    let near = match rule {
+        Some(HardwareRounding::NearlyNearest) => HardwareRounding::NEARLY,
+        _ => NEAR_HALFWAY * f64::from(m),
+    };
     let points = Points::of_normals(renderer, directions)?;
     let (texels, normals) = points.draw_texels(renderer, &variant, fields.format)?;
     let [unrounded, _] = points.draw(renderer, &variant)?;
@@ -66,18 +70,18 @@ pub(super) fn check(
         found.max_steps = found.max_steps.max(steps);
         let components = stored.iter().zip(code).zip([x, y]);
         let is_explained = components.into_iter().all(|((stored, code), x)| {
-            let is_single = (stored - code).abs() <= 1 && is_halfway(x, m);
-            rule.is_none_or(|rule| rule.of(x, m) == *stored) && (!is_rounded || stored == code || is_single)
+            let is_single = (stored - code).abs() <= 1 && is_halfway(x, m, near);
+            rule.is_none_or(|rule| rule.allows(x, m, *stored)) && (!is_rounded || stored == code || is_single)
         });
         found.unexplained += u64::from(!is_explained);
     }
     Ok(Some(found))
 }
 
-/// True where `x` lies nearly halfway between two integers of `m`.
-fn is_halfway(x: f32, m: i32) -> bool {
+/// True where `x` times `m` lies at most `near` from halfway between two integers.
+fn is_halfway(x: f32, m: i32, near: f64) -> bool {
     let product = f64::from(x) * f64::from(m);
-    (product - product.floor() - 0.5).abs() <= NEAR_HALFWAY * f64::from(m)
+    (product - product.floor() - 0.5).abs() <= near
 }
 
 #[cfg(test)]
@@ -89,7 +93,7 @@ mod tests {
         for (x, expected) in
             [(0.5, true), (10.5 / 127.0, true), (0.25, false), (10.6 / 127.0, false), (1.0, false)]
         {
-            assert_eq!(is_halfway(x, 127), expected, "{x}");
+            assert_eq!(is_halfway(x, 127, 127.0 * NEAR_HALFWAY), expected, "{x}");
         }
     }
 }

@@ -39,7 +39,7 @@ impl Report {
         Self {
             device: device.clone(),
             random_directions: options.count,
-            glsl_compared: cfg!(feature = "glsl"),
+            glsl_compared: super::sources().any(|source| source == BackendKind::Glsl),
             agreed: traits.changed == 0 && rows.iter().chain(&projections).all(Row::agrees),
             traits,
             rows,

@@ -23,6 +23,8 @@ pub enum HardwareRounding {
     Exact,
     /// Towards zero.
     Truncated,
+    /// To nearest, but within a tenth of a step of halfway either neighbour, as Direct3D 11 allows.
+    NearlyNearest,
     /// None of these rules.
     Other,
 }
@@ -35,35 +37,58 @@ impl fmt::Display for HardwareRounding {
             Self::NearestUp => "to nearest, halves up",
             Self::Exact => "to nearest, of the exact product",
             Self::Truncated => "towards zero",
+            Self::NearlyNearest => "to nearest, but nearly halfway to either neighbour",
             Self::Other => "not to nearest",
         })
     }
 }
 
 impl HardwareRounding {
-    const RULES: [Self; 5] =
-        [Self::NearestEven, Self::NearestAway, Self::NearestUp, Self::Exact, Self::Truncated];
+    const RULES: [Self; 6] = [
+        Self::NearestEven,
+        Self::NearestAway,
+        Self::NearestUp,
+        Self::Exact,
+        Self::Truncated,
+        Self::NearlyNearest,
+    ];
+
+    /// The distance from halfway, in steps, up to which [`Self::NearlyNearest`] takes either neighbour.
+    pub(super) const NEARLY: f64 = 0.1;
 
     /// True where the value of a code is stored as that code.
     pub fn keeps_codes(self) -> bool {
         !matches!(self, Self::Truncated | Self::Other)
     }
 
-    /// The integer that this rule gives for `x`, where the largest is `m`.
+    /// True where the rule tells the integer of every number.
+    pub(super) fn is_definite(self) -> bool {
+        !matches!(self, Self::NearlyNearest | Self::Other)
+    }
+
+    /// True where `x` may be stored as this integer, where the largest is `m`.
+    pub(super) fn allows(self, x: f32, m: i32, stored: i64) -> bool {
+        match self {
+            Self::NearlyNearest => (f64::from(x) * f64::from(m) - stored as f64).abs() <= 0.5 + Self::NEARLY,
+            rule => rule.of(x, m) == stored,
+        }
+    }
+
+    /// The integer that this rule gives for `x`, where the largest is `m`; one of them, where it is not definite.
     pub(super) fn of(self, x: f32, m: i32) -> i64 {
         let product = x * m as f32;
         (match self {
             Self::NearestEven => f64::from(product).round_ties_even(),
             Self::NearestAway => f64::from(product).round(),
             Self::NearestUp => (f64::from(product) + 0.5).floor(),
-            Self::Exact => (f64::from(x) * f64::from(m)).round_ties_even(),
+            Self::Exact | Self::NearlyNearest => (f64::from(x) * f64::from(m)).round_ties_even(),
             Self::Truncated | Self::Other => f64::from(product).trunc(),
         }) as i64
     }
 
     /// The first rule that explains all of these values and their integers.
     fn explaining(values: &[(f32, i64)], m: i32) -> Self {
-        let explains = |rule: &Self| values.iter().all(|(x, stored)| rule.of(*x, m) == *stored);
+        let explains = |rule: &Self| values.iter().all(|(x, stored)| rule.allows(*x, m, *stored));
         Self::RULES.into_iter().find(explains).unwrap_or(Self::Other)
     }
 }
@@ -177,10 +202,14 @@ mod tests {
     #[test]
     fn rules_are_told_apart() {
         let ramp: Vec<f32> = (-253..254).map(|half| 0.5 * half as f32 / 127.0).collect();
-        for rule in HardwareRounding::RULES {
+        for rule in HardwareRounding::RULES.into_iter().filter(|rule| rule.is_definite()) {
             let values: Vec<_> = ramp.iter().map(|x| (*x, rule.of(*x, 127))).collect();
             assert_eq!(HardwareRounding::explaining(&values, 127), rule);
         }
+        // Every half, and numbers up to a twentieth of a step above it, go down.
+        let below = |x: f32| (x, (f64::from(x) * 127.0 - 0.05).round() as i64);
+        let loose: Vec<_> = ramp.iter().flat_map(|x| [below(*x), below(x + 0.05 / 127.0)]).collect();
+        assert_eq!(HardwareRounding::explaining(&loose, 127), HardwareRounding::NearlyNearest);
         let wrong: Vec<_> = ramp.iter().map(|x| (*x, 1 + HardwareRounding::Exact.of(*x, 127))).collect();
         assert_eq!(HardwareRounding::explaining(&wrong, 127), HardwareRounding::Other);
     }
