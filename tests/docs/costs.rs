@@ -1,5 +1,4 @@
-//! Costs of codecs: on lavapipe, as `unitvec bench --json` wrote it to `host/choose/data/costs_lavapipe.json`, and on
-//! GPUs, by their compilers.
+//! Costs of codecs: measured, as `unitvec bench device --json` wrote them to `host/choose/data/`, and by GPUs' compilers.
 
 use super::tables::is_shown;
 use super::{compare, markdown_table};
@@ -8,21 +7,21 @@ use serde_json::Value;
 use std::sync::LazyLock;
 use unitvec_catalogue::CODECS;
 use unitvec_catalogue::Operation;
+use unitvec_choose::MEASURED;
 use unitvec_choose::costs::{GENERATIONS, Generation, Report, Row, Source};
 use unitvec_lab::isa::pareto;
 use unitvec_tests::repository;
 
-static REPORT: LazyLock<Value> = LazyLock::new(|| {
-    let text = std::fs::read(repository().join("host/choose/data/costs_lavapipe.json")).unwrap();
-    serde_json::from_slice(&text).unwrap()
-});
+/// The reports of [`MEASURED`].
+static REPORTS: LazyLock<[Value; 2]> =
+    LazyLock::new(|| MEASURED.map(|(_, report)| serde_json::from_slice(report).unwrap()));
 
 /// A figure of a codec's row, of its own kernel in SPIR-V from Rust.
-fn figure(id: &str, operation: Operation, key: &str) -> Option<f64> {
+fn figure(report: &Value, id: &str, operation: Operation, key: &str) -> Option<f64> {
     let operation = operation.to_string();
     let is_own = |row: &Value| row["backend"] == "rust" && row["by_table"] == false;
     let is_it = |row: &&Value| row["id"] == id && row["operation"] == operation && is_own(row);
-    REPORT["rows"].as_array().unwrap().iter().find(is_it)?[key].as_f64()
+    report["rows"].as_array().unwrap().iter().find(is_it)?[key].as_f64()
 }
 
 /// The inverse throughput of encoding or decoding on RDNA 2 as a multiple of `oct32`'s.
@@ -41,35 +40,43 @@ pub fn number(value: Option<f64>, digits: usize) -> String {
     value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
 }
 
-/// True where the arithmetic of both operations was measured on lavapipe.
+/// True where the arithmetic of both operations was measured on every device.
 pub fn is_measured(id: &str) -> bool {
-    Operation::ALL.iter().all(|operation| figure(id, *operation, "alu_ratio_to_oct32").is_some())
+    let has = |report| {
+        Operation::ALL.iter().all(|operation| figure(report, id, *operation, "alu_ratio_to_oct32").is_some())
+    };
+    REPORTS.iter().all(has)
 }
 
-/// The device, and the amount of its work.
-pub fn device() -> String {
-    let (report, device) = (&*REPORT, &REPORT["device"]);
+/// The devices, and the amount of their work.
+pub fn devices() -> String {
     let text = |value: &Value| value.as_str().unwrap().to_owned();
-    format!(
-        "Measured on {}, Vulkan {}: {} vectors, {} times each.\n",
-        text(&device["driver"]),
-        text(&device["api_version"]),
-        report["count"],
-        report["repetitions"]
-    )
+    let rows = REPORTS.iter().map(|report| {
+        let device = &report["device"];
+        format!(
+            "{} | {} | {} | {} | {}",
+            text(&device["name"]),
+            text(&device["driver"]),
+            text(&device["api_version"]),
+            report["count"],
+            report["repetitions"]
+        )
+    });
+    markdown_table("device | driver | Vulkan | vectors | times each", rows)
 }
 
 /// The shipped kernel's speed in per cent of that of a copy.
-fn of_copy(id: &str, operation: Operation) -> Option<f64> {
-    Some(100.0 * figure(id, operation, "bytes_per_s")? / figure(id, operation, "copy_bytes_per_s")?)
+fn of_copy(report: &Value, id: &str, operation: Operation) -> Option<f64> {
+    let speed = |key| figure(report, id, operation, key);
+    Some(100.0 * speed("bytes_per_s")? / speed("copy_bytes_per_s")?)
 }
 
-/// Costs of both operations: inverse throughput on all generations of GPUs and arithmetic on lavapipe, as multiples of
-/// `oct32`'s; the other figures of RDNA 2 and of lavapipe.
+/// Costs of both operations: inverse throughput on all generations of GPUs and measured arithmetic, as multiples of
+/// `oct32`'s; the other figures of RDNA 2, and the speed of the shipped kernels.
 pub fn table(rows: &str) -> String {
     let titles: Vec<&str> = COMPILED.iter().map(|(generation, _)| generation.title).collect();
     let titles = format!(
-        "codec: encode / decode | {} | lavapipe | RDNA 2: T | vector / v | registers | rust / glsl | lavapipe: % of copy",
+        "codec: encode / decode | {} | H200 | lavapipe | RDNA 2: T | vector / v | registers | rust / glsl | % of copy: H200 | lavapipe",
         titles.join(" | ")
     );
     let shown = CODECS.iter().map(|format| format.id).filter(|id| is_shown(rows, id)).map(|id| {
@@ -82,14 +89,15 @@ pub fn table(rows: &str) -> String {
         let integer = |figure: fn(&Row) -> Option<u64>| {
             pair(0, |operation| Some(figure(rdna2().row(id, operation, Source::Glsl)?)? as f64))
         };
+        let measured = |report| pair(1, |operation| figure(report, id, operation, "alu_ratio_to_oct32"));
+        cells.extend(REPORTS.iter().map(measured));
         cells.extend([
-            pair(1, |operation| figure(id, operation, "alu_ratio_to_oct32")),
             integer(|row| row.inverse_throughput),
             pair(1, |operation| vector_instructions(id, operation)),
             integer(|row| row.vector_registers),
             pair(2, |operation| rdna2().ratio_to_glsl(rdna2().row(id, operation, Source::Rust)?)),
-            pair(0, |operation| of_copy(id, operation)),
         ]);
+        cells.extend(REPORTS.iter().map(|report| pair(0, |operation| of_copy(report, id, operation))));
         format!("`{id}` | {}", cells.join(" | "))
     });
     markdown_table(&titles, shown)

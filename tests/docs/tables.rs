@@ -39,7 +39,7 @@ pub fn table(name: &str) -> Option<String> {
         "related" => papers::related(),
         "errors" => errors(rest),
         "costs" => costs::table(rest),
-        "costs-device" => costs::device(),
+        "costs-devices" => costs::devices(),
         "costs-compilers" => costs::compilers(),
         "costs-exact" => costs::exact(),
         "costs-stages" => costs::stages(),

@@ -1,3 +1,4 @@
+use crate::MEASURED;
 use crate::costs::GENERATIONS;
 use std::path::PathBuf;
 
@@ -50,18 +51,25 @@ fn maker(name: &str) -> Option<&'static str> {
 fn unknown(name: &str) -> String {
     if let Some(maker) = maker(name) {
         return format!(
-            "no costs of {maker}'s GPUs ship with the program, only AMD's and lavapipe's: leave --gpu out to go by RDNA 2's, or \
-             measure yours by `unitvec bench device --device NAME --json costs.json`, in a build with --features glsl, and name \
-             the file after --costs"
+            "no costs of {maker}'s `{name}` ship with the program, only those of AMD's GPUs, of {}: leave --gpu out to go by \
+             RDNA 2's, or measure yours by `unitvec bench device --device NAME --json costs.json`, in a build with --features glsl, and name \
+             the file after --costs",
+            measured()
         );
     }
     let known = GENERATIONS.map(|one| format!("{} ({}: {})", one.name, one.gpu, one.series));
     format!(
-        "no costs of a GPU `{name}` ship with the program; --gpu takes {} or lavapipe; --costs takes a report of another AMD \
+        "no costs of a GPU `{name}` ship with the program; --gpu takes {}, {}; --costs takes a report of another AMD \
          GPU, by `unitvec bench compiler --gpu {name} --json FILE`, or of a GPU that is here, by `unitvec bench compiler --device \
          NAME --json FILE`",
-        known.join(", ")
+        known.join(", "),
+        measured()
     )
+}
+
+/// The devices that were measured: `h200 or lavapipe`.
+fn measured() -> String {
+    MEASURED.map(|(name, _)| name).join(" or ")
 }
 
 #[cfg(test)]

@@ -62,8 +62,14 @@ struct ReportRow {
     alu_ratio_to_oct32: Option<f64>,
 }
 
+/// Devices that `unitvec bench device` ran on, with its reports: NVIDIA's H200, and Mesa's driver for CPUs.
+pub const MEASURED: [(&str, &[u8]); 2] = [
+    ("h200", include_bytes!("../data/costs_h200.json")),
+    ("lavapipe", include_bytes!("../data/costs_lavapipe.json")),
+];
+
 impl Costs {
-    /// The costs on a generation of GPUs, by the name of either, or on `lavapipe`: they ship with the program.
+    /// The costs on a generation of GPUs, by the name of either, or on one of [`MEASURED`]: they ship with the program.
     ///
     /// # Errors
     /// [`Error::UnknownGpu`]; [`Error::BadCosts`], which would be a fault of this crate.
@@ -71,13 +77,9 @@ impl Costs {
         if let Some(generation) = costs::find_generation(name) {
             return Self::compiled(&generation.path(), &generation.shipped()?);
         }
-        if !name.eq_ignore_ascii_case("lavapipe") {
-            return Err(Error::UnknownGpu(name.to_owned()));
-        }
-        Self::parse(
-            Path::new("host/choose/data/costs_lavapipe.json"),
-            include_bytes!("../data/costs_lavapipe.json"),
-        )
+        let measured = MEASURED.iter().find(|(known, _)| name.eq_ignore_ascii_case(known));
+        let (name, report) = measured.ok_or_else(|| Error::UnknownGpu(name.to_owned()))?;
+        Self::parse(Path::new(&format!("host/choose/data/costs_{name}.json")), report)
     }
 
     /// The costs in a report of `unitvec bench device --json` or `unitvec bench compiler --json`.

@@ -7,7 +7,7 @@ use unitvec_catalogue::{
     AnyCodec, Choice, Domain, Element, Operation, RECOMMENDED, Recommendation, directions, find, vectors,
 };
 use unitvec_choose::costs::{GENERATIONS, USUAL};
-use unitvec_choose::{Costs, REFERENCE, degrees, measured};
+use unitvec_choose::{Costs, MEASURED, REFERENCE, degrees, measured};
 use unitvec_lab::accuracy::meyer::{METHODS, WIDTHS};
 use unitvec_lab::accuracy::{Table, measure_meyer_row, measure_row};
 use unitvec_lab::bench::survey_ns;
@@ -59,13 +59,18 @@ pub struct Codec {
     costs: Vec<[Option<f64>; 2]>,
 }
 
-/// Costs that ship with the program: that of `choose`, then the others, the newest first, then lavapipe's.
+/// Costs that ship with the program: that of `choose`, then the others, the newest first, then the measured ones.
 ///
 /// # Errors
 /// [`Error::BadCosts`](unitvec_choose::Error::BadCosts), which would be a fault of this crate.
 pub fn shipped_costs() -> Result<Vec<Costs>> {
     let others = GENERATIONS.iter().rev().map(|one| one.name).filter(|name| *name != USUAL);
-    [USUAL].into_iter().chain(others).chain(["lavapipe"]).map(|name| Ok(Costs::shipped(name)?)).collect()
+    [USUAL]
+        .into_iter()
+        .chain(others)
+        .chain(MEASURED.map(|(name, _)| name))
+        .map(|name| Ok(Costs::shipped(name)?))
+        .collect()
 }
 
 /// All codecs whose errors are recorded, in the order of `choose`.
