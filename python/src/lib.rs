@@ -9,7 +9,7 @@ use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use unitvec::dither::{dither_from_key, dither_from_pixel, dither_from_position};
 use unitvec::glam::{UVec2, Vec2, Vec3};
-use unitvec_catalogue::{AnyCodec, CODECS, Dither, Domain, Null, WRAPPED, find_any, formats};
+use unitvec_catalogue::{AnyCodec, CODECS, Dither, Domain, Null, Operation, WRAPPED, find_any, formats};
 
 /// Elements as they lie in an array without gaps.
 #[derive(FromPyObject)]
@@ -28,7 +28,20 @@ impl Elements<'_> {
 }
 
 /// The fields of `unitvec.Codec`, in their order, but for the type of codes.
-type Facts = (&'static str, &'static str, u32, usize, usize, &'static str, Vec<f32>, Option<u64>, f64, f64);
+type Facts = (
+    &'static str,
+    &'static str,
+    u32,
+    usize,
+    usize,
+    &'static str,
+    Vec<f32>,
+    Option<u64>,
+    f64,
+    f64,
+    [f64; 2],
+    bool,
+);
 
 fn invalid(error: impl ToString) -> PyErr {
     PyValueError::new_err(error.to_string())
@@ -76,7 +89,21 @@ fn facts(codec: &AnyCodec) -> Facts {
     let measured = codec.element.directions().first().and_then(|part| codec.measured(part));
     let (mean, max) = measured.map_or((f64::NAN, f64::NAN), |errors| (errors.mean_deg, errors.max_deg));
     let (floats, bounds) = (codec.element.floats(), codec.max_errors_deg.to_vec());
-    (codec.id, element, codec.bits, codec.bytes, floats, domain, bounds, null, mean, max)
+    let costs = Operation::ALL.map(|operation| codec.cost(operation).unwrap_or(f64::NAN));
+    (
+        codec.id,
+        element,
+        codec.bits,
+        codec.bytes,
+        floats,
+        domain,
+        bounds,
+        null,
+        mean,
+        max,
+        costs,
+        codec.is_unit,
+    )
 }
 
 #[pymodule]
