@@ -27,21 +27,10 @@ impl Elements<'_> {
     }
 }
 
+type Name = &'static str;
+
 /// The fields of `unitvec.Codec`, in their order, but for the type of codes.
-type Facts = (
-    &'static str,
-    &'static str,
-    u32,
-    usize,
-    usize,
-    &'static str,
-    Vec<f32>,
-    Option<u64>,
-    f64,
-    f64,
-    [f64; 2],
-    bool,
-);
+type Facts = (Name, Name, u32, usize, usize, Name, Vec<f32>, Option<u64>, f64, f64, [f64; 2], bool);
 
 fn invalid(error: impl ToString) -> PyErr {
     PyValueError::new_err(error.to_string())
@@ -83,27 +72,15 @@ fn pool(threads: Option<usize>) -> PyResult<Pool> {
 }
 
 fn facts(codec: &AnyCodec) -> Facts {
-    let element = codec.element.plural();
+    let &AnyCodec { id, bits, bytes, is_unit, .. } = codec;
+    let (element, floats) = (codec.element.plural(), codec.element.floats());
     let domain = if codec.domain == Domain::Sphere { "sphere" } else { "hemisphere" };
     let null = codec.null().ok().map(|null| null.code);
     let measured = codec.element.directions().first().and_then(|part| codec.measured(part));
     let (mean, max) = measured.map_or((f64::NAN, f64::NAN), |errors| (errors.mean_deg, errors.max_deg));
-    let (floats, bounds) = (codec.element.floats(), codec.max_errors_deg.to_vec());
     let costs = Operation::ALL.map(|operation| codec.cost(operation).unwrap_or(f64::NAN));
-    (
-        codec.id,
-        element,
-        codec.bits,
-        codec.bytes,
-        floats,
-        domain,
-        bounds,
-        null,
-        mean,
-        max,
-        costs,
-        codec.is_unit,
-    )
+    let bounds = codec.max_errors_deg.to_vec();
+    (id, element, bits, bytes, floats, domain, bounds, null, mean, max, costs, is_unit)
 }
 
 #[pymodule]

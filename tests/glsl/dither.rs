@@ -5,7 +5,6 @@ use super::{assert_same_bits, assert_same_words};
 use std::collections::BTreeSet;
 use unitvec::dither::*;
 use unitvec::glam::{UVec2, Vec2, Vec3};
-use unitvec::*;
 use unitvec_catalogue::{CODECS, Dither};
 use unitvec_oracle::{angle_deg, length, normalize};
 use unitvec_tests::checks::LENGTH_ROUNDING;

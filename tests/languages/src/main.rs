@@ -377,11 +377,7 @@ const MINGW: &str = "x86_64-w64-mingw32-g++";
 /// A compiler's name and version.
 fn compiler_name(program: &str) -> String {
     let version = tool::output(Command::new(program).arg("-dumpversion")).unwrap_or_default();
-    format!(
-        "{} {}",
-        if program.ends_with("g++") && program != "clang++" { "GCC" } else { "clang" },
-        version.trim()
-    )
+    format!("{} {}", if program.contains("clang") { "clang" } else { "GCC" }, version.trim())
 }
 
 /// The device that SPIR-V runs on.
