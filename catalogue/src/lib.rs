@@ -17,6 +17,7 @@
 
 mod callers;
 mod cpu;
+mod dither;
 mod formats;
 #[cfg(feature = "serde")]
 mod json;
@@ -38,6 +39,7 @@ use unitvec::{FrameCodec, RotationCodec};
 
 pub use callers::has_threads;
 pub use cpu::best_fit_table;
+pub use dither::{Dither, NoDither};
 pub use formats::{find_any, formats};
 pub use list::{CODECS, directions, frames, rotations, vectors};
 pub use null::{NoNull, Null};

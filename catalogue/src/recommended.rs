@@ -1,7 +1,7 @@
 //! The codecs to take for each use, and the formats that hold codes. README, docs, `unitvec choose` and `unitvec report`
 //! read these tables.
 
-use crate::AnyCodec;
+use crate::{AnyCodec, Operation};
 use Usage::{Attachment, Texture, Vertex};
 
 /// A use of a format.
@@ -180,6 +180,7 @@ pub struct Measured {
 }
 
 const RECORD: &str = include_str!("../data/accuracy.csv");
+const COSTS: &str = include_str!("../data/costs.csv");
 
 impl AnyCodec {
     /// The measured errors of one of its [directions](crate::Element::directions) (`direction`; of frames `normal`, `tangent`), or, of a codec for the sphere,
@@ -190,6 +191,13 @@ impl AnyCodec {
         };
         let (mean, max) = RECORD.lines().find_map(row)?.split_once(',')?;
         Some(Measured { mean_deg: mean.parse().ok()?, max_deg: max.parse().ok()? })
+    }
+
+    /// The cost of an operation on a GPU, RDNA 2, by its compiler's estimate: a multiple of `oct32`'s. `None` for a codec that is
+    /// not compiled yet, and for formats of other software.
+    pub fn cost(&self, operation: Operation) -> Option<f64> {
+        let row = COSTS.lines().find_map(|line| line.strip_prefix(self.id)?.strip_prefix(','))?;
+        row.split(',').nth(operation as usize)?.parse().ok()
     }
 
     /// What a mirror shows of the error of its first direction: `bands`, `traces` or `nothing`.

@@ -4,10 +4,12 @@
 mod portions;
 
 use numpy::{PyReadonlyArray1, PyReadwriteArray1};
-use portions::{Floats, Pool};
+use portions::{Floats, Manner, Pool};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
-use unitvec_catalogue::{AnyCodec, CODECS, Domain, Null, WRAPPED, find_any, formats};
+use unitvec::dither::{dither_from_key, dither_from_pixel, dither_from_position};
+use unitvec::glam::{UVec2, Vec2, Vec3};
+use unitvec_catalogue::{AnyCodec, CODECS, Dither, Domain, Null, Operation, WRAPPED, find_any, formats};
 
 /// Elements as they lie in an array without gaps.
 #[derive(FromPyObject)]
@@ -25,8 +27,10 @@ impl Elements<'_> {
     }
 }
 
+type Name = &'static str;
+
 /// The fields of `unitvec.Codec`, in their order, but for the type of codes.
-type Facts = (&'static str, &'static str, u32, usize, usize, &'static str, Vec<f32>, Option<u64>, f64, f64);
+type Facts = (Name, Name, u32, usize, usize, Name, Vec<f32>, Option<u64>, f64, f64, [f64; 2], bool);
 
 fn invalid(error: impl ToString) -> PyErr {
     PyValueError::new_err(error.to_string())
@@ -36,9 +40,31 @@ fn find(name: &str) -> PyResult<&'static AnyCodec> {
     find_any(name).map_err(invalid)
 }
 
-/// The null code, where it is asked for.
-fn null_of(codec: &AnyCodec, is_asked: bool) -> PyResult<Option<Null<'_>>> {
-    is_asked.then(|| codec.null().map_err(invalid)).transpose()
+/// Whether null codes are asked for, the offsets of dithered codes, and the number of threads.
+type Options<'py> = (bool, Option<PyReadonlyArray1<'py, f32>>, Option<usize>);
+
+fn manner<'a>(codec: &'a AnyCodec, (null, offsets, threads): &'a Options<'_>) -> PyResult<Manner<'a>> {
+    let null: Option<Null<'_>> = null.then(|| codec.null().map_err(invalid)).transpose()?;
+    let with = |offsets: &'a PyReadonlyArray1<'_, f32>| -> PyResult<(Dither<'_>, &[f32])> {
+        Ok((codec.dither().map_err(invalid)?, offsets.as_slice()?))
+    };
+    Ok(Manner { null, dither: offsets.as_ref().map(with).transpose()?, pool: pool(*threads)? })
+}
+
+/// Keys of dithered codes.
+#[derive(FromPyObject)]
+enum Keys<'py> {
+    Numbers(PyReadonlyArray1<'py, u32>),
+    Positions(PyReadonlyArray1<'py, f32>),
+}
+
+/// Writes the offset of each key.
+fn put<'a, K>(
+    keys: impl Iterator<Item = K>,
+    rows: impl Iterator<Item = &'a mut [f32]>,
+    offset: impl Fn(K) -> Vec2,
+) {
+    keys.zip(rows).for_each(|(key, row)| row.copy_from_slice(&offset(key).to_array()));
 }
 
 fn pool(threads: Option<usize>) -> PyResult<Pool> {
@@ -46,13 +72,15 @@ fn pool(threads: Option<usize>) -> PyResult<Pool> {
 }
 
 fn facts(codec: &AnyCodec) -> Facts {
-    let element = codec.element.plural();
+    let &AnyCodec { id, bits, bytes, is_unit, .. } = codec;
+    let (element, floats) = (codec.element.plural(), codec.element.floats());
     let domain = if codec.domain == Domain::Sphere { "sphere" } else { "hemisphere" };
     let null = codec.null().ok().map(|null| null.code);
     let measured = codec.element.directions().first().and_then(|part| codec.measured(part));
     let (mean, max) = measured.map_or((f64::NAN, f64::NAN), |errors| (errors.mean_deg, errors.max_deg));
-    let (floats, bounds) = (codec.element.floats(), codec.max_errors_deg.to_vec());
-    (codec.id, element, codec.bits, codec.bytes, floats, domain, bounds, null, mean, max)
+    let costs = Operation::ALL.map(|operation| codec.cost(operation).unwrap_or(f64::NAN));
+    let bounds = codec.max_errors_deg.to_vec();
+    (id, element, bits, bytes, floats, domain, bounds, null, mean, max, costs, is_unit)
 }
 
 #[pymodule]
@@ -83,13 +111,12 @@ mod _native {
         elements: Elements<'_>,
         mut codes: PyReadwriteArray1<'_, u8>,
         item: usize,
-        null: bool,
-        threads: Option<usize>,
+        options: Options<'_>,
     ) -> PyResult<()> {
         let codec = find(name)?;
-        let (null, pool) = (null_of(codec, null)?, pool(threads)?);
+        let manner = manner(codec, &options)?;
         let (floats, codes) = (elements.floats()?, codes.as_slice_mut()?);
-        py.detach(|| portions::encode(codec, floats, (codes, item), null, &pool)).map_err(invalid)
+        py.detach(|| portions::encode(codec, floats, (codes, item), &manner)).map_err(invalid)
     }
 
     /// Decodes codes of `item` bytes each.
@@ -100,13 +127,28 @@ mod _native {
         codes: PyReadonlyArray1<'_, u8>,
         item: usize,
         mut elements: PyReadwriteArray1<'_, f32>,
-        null: bool,
-        threads: Option<usize>,
+        options: Options<'_>,
     ) -> PyResult<()> {
         let codec = find(name)?;
-        let (null, pool) = (null_of(codec, null)?, pool(threads)?);
+        let manner = manner(codec, &options)?;
         let (codes, elements) = (codes.as_slice()?, elements.as_slice_mut()?);
-        py.detach(|| portions::decode(codec, (codes, item), elements, null, &pool)).map_err(invalid)
+        py.detach(|| portions::decode(codec, (codes, item), elements, &manner)).map_err(invalid)
+    }
+
+    /// The offsets of dithered codes, two floats each: by numbers, of `width` 1, by pixels, of 2, or by positions, of 3.
+    #[pyfunction]
+    fn offsets(keys: Keys<'_>, width: usize, mut offsets: PyReadwriteArray1<'_, f32>) -> PyResult<()> {
+        let rows = offsets.as_slice_mut()?.chunks_exact_mut(2);
+        match (&keys, width) {
+            (Keys::Numbers(keys), 1) => put(keys.as_slice()?.iter(), rows, |key| dither_from_key(*key)),
+            (Keys::Numbers(keys), _) => put(keys.as_slice()?.chunks_exact(2), rows, |pixel| {
+                dither_from_pixel(UVec2::from_slice(pixel))
+            }),
+            (Keys::Positions(keys), _) => put(keys.as_slice()?.chunks_exact(3), rows, |position| {
+                dither_from_position(Vec3::from_slice(position))
+            }),
+        }
+        Ok(())
     }
 
     /// The error of each part of each element after encoding and decoding; NaN where there is none.

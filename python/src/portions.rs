@@ -4,7 +4,7 @@ use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use std::borrow::Cow;
-use unitvec_catalogue::{AnyCodec, Element, Null, has_threads};
+use unitvec_catalogue::{AnyCodec, Dither, Element, Null, has_threads};
 
 /// Elements of a portion. The slices of `unitvec` prefetch from 1 MiB of floats on.
 const PORTION: usize = 1 << 17;
@@ -32,6 +32,22 @@ impl<'a> Floats<'a> {
                 Cow::Owned(floats)
             }
         }
+    }
+}
+
+/// How to code, besides the codec.
+pub struct Manner<'a> {
+    pub null: Option<Null<'a>>,
+    /// Dithered functions, and an offset of two floats for each vector.
+    pub dither: Option<(Dither<'a>, &'a [f32])>,
+    pub pool: Pool,
+}
+
+impl<'a> Manner<'a> {
+    /// The dithered functions, and the offsets of the portion of this index.
+    fn dither(&self, index: usize) -> Option<(Dither<'a>, &'a [f32])> {
+        let portion = |offsets: &'a [f32]| offsets.chunks(PORTION * 2).nth(index).unwrap_or_default();
+        self.dither.map(|(dither, offsets)| (dither, portion(offsets)))
     }
 }
 
@@ -80,14 +96,16 @@ pub fn encode(
     codec: &AnyCodec,
     floats: Floats<'_>,
     (codes, item): (&mut [u8], usize),
-    null: Option<Null<'_>>,
-    pool: &Pool,
+    manner: &Manner<'_>,
 ) -> Result {
-    pool.run(codes, PORTION * item, |index, codes| {
+    manner.pool.run(codes, PORTION * item, |index, codes| {
         let floats = floats.portion(codec.element, index);
         let encode = |codes: &mut [u8]| {
-            codec.encode_here(&floats, codes)?;
-            null.map_or(Ok(0), |null| null.put(&floats, codes)).map(drop)
+            match manner.dither(index) {
+                Some((dither, offsets)) => dither.encode(&floats, offsets, codes)?,
+                None => codec.encode_here(&floats, codes)?,
+            }
+            manner.null.map_or(Ok(0), |null| null.put(&floats, codes)).map(drop)
         };
         if item == codec.bytes {
             return Ok(encode(codes)?);
@@ -105,10 +123,9 @@ pub fn decode(
     codec: &AnyCodec,
     (codes, item): (&[u8], usize),
     elements: &mut [f32],
-    null: Option<Null<'_>>,
-    pool: &Pool,
+    manner: &Manner<'_>,
 ) -> Result {
-    pool.run(elements, PORTION * codec.element.floats(), |index, elements| {
+    manner.pool.run(elements, PORTION * codec.element.floats(), |index, elements| {
         let codes = codes.chunks(PORTION * item).nth(index).unwrap_or_default();
         let packed = match item == codec.bytes {
             true => Cow::Borrowed(codes),
@@ -118,8 +135,11 @@ pub fn decode(
                 Cow::Owned(packed)
             }
         };
-        codec.decode_here(&packed, elements)?;
-        Ok(null.map_or(Ok(()), |null| null.clear(&packed, elements))?)
+        match manner.dither(index) {
+            Some((dither, offsets)) => dither.decode(&packed, offsets, elements)?,
+            None => codec.decode_here(&packed, elements)?,
+        }
+        Ok(manner.null.map_or(Ok(()), |null| null.clear(&packed, elements))?)
     })
 }
 

@@ -125,6 +125,7 @@ def test_out():
         (lambda: unitvec.choose(0.0), "finest"),
         (lambda: unitvec.choose(float("nan")), "finest"),
         (lambda: unitvec.choose(1.0, element="axes"), "'vectors'"),
+        (lambda: unitvec.choose(1.0, weights=(1, -1)), "from 0 on"),
     ],
 )
 def test_errors_say_what_to_do(wrong, reason):
@@ -135,11 +136,11 @@ def test_errors_say_what_to_do(wrong, reason):
 def test_choose_takes_the_fewest_bytes():
     for limit in (3.0, 0.3, 0.01, 1e-4):
         chosen = unitvec.choose(limit)
-        assert chosen.max_deg <= limit
+        assert chosen.max_errors_deg[0] <= limit
         assert all(
             other.bytes >= chosen.bytes
             for other in unitvec.codecs()
-            if other.element == "vectors" and other.domain == "sphere" and other.max_deg <= limit
+            if other.element == "vectors" and other.domain == "sphere" and other.is_unit and other.max_errors_deg[0] <= limit
         )
 
 

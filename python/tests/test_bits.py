@@ -62,3 +62,26 @@ def test_the_program_agrees(codec, tmp_path):
     np.testing.assert_array_equal(codes.view(np.uint8).reshape(len(codes), -1)[:, : codec.bytes], packed)
     decoded = unitvec.decode(codes, codec.id)
     np.testing.assert_array_equal(decoded.view(np.uint32).ravel(), np.fromfile(tmp_path / "out.bin", "<u4"))
+
+
+@pytest.mark.skipif(PROGRAM is None, reason="UNITVEC_PROGRAM is not set")
+@pytest.mark.parametrize("limit", [3, 1, 0.65, 0.3, 0.06, 0.01, 0.003, 1e-4])
+@pytest.mark.parametrize(
+    ("flags", "given"),
+    [
+        ([], {}),
+        (["--hemisphere"], {"domain": "hemisphere"}),
+        (["--rotations"], {"element": "rotations"}),
+        (["--frames"], {"element": "frames"}),
+        (["--weights", "0,1"], {"weights": (0, 1)}),
+        (["--weights", "2,1"], {"weights": (2, 1)}),
+    ],
+)
+def test_the_program_chooses_the_same(limit, flags, given):
+    run = subprocess.run([PROGRAM, "choose", "--max-error", str(limit), *flags, "--json", "-"], capture_output=True)
+    found = [row["id"] for row in json.loads(run.stdout)["candidates"]]
+    try:
+        chosen = unitvec.choose(limit, **given).id
+    except ValueError:
+        chosen = None
+    assert chosen == (found[0] if found else None)

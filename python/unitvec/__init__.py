@@ -47,6 +47,10 @@ class Codec(NamedTuple):
     """Measured mean error in degrees, over 10^6 random directions; of frames the normal's. NaN for formats."""
     max_deg: float
     """Measured maximum error in degrees, likewise."""
+    costs: list[float]
+    """Costs of encoding and of decoding on a GPU (RDNA 2, by its compiler's estimate), as multiples of ``oct32``'s. NaN for formats."""
+    is_unit: bool
+    """True where decoded vectors have unit length; false for formats of components (``snorm…``)."""
 
     @property
     def dtype(self) -> np.dtype[Any]:
@@ -75,30 +79,40 @@ def formats() -> list[Codec]:
     return [codec(name) for name in _native.names()[1]]
 
 
-def choose(max_error: float, *, element: str = "vectors", domain: str = "sphere") -> Codec:
-    """The codec of the fewest bytes whose measured maximum error, of frames the normal's, is not above `max_error` degrees.
-    Of those the one of least mean error.
+def choose(
+    max_error: float, *, element: str = "vectors", domain: str = "sphere", weights: tuple[float, float] = (1.0, 1.0)
+) -> Codec:
+    """The codec of the fewest bytes whose error is never above `max_error` degrees. Of those the one that costs a GPU least, as
+    `unitvec choose` of the program finds it; of equal ones the one of least mean error.
 
     :param domain: ``hemisphere`` where every direction has z >= 0.
-    :raises ValueError: no codec is so fine, or there is no such element or domain.
+    :param weights: weights of encoding and of decoding in the cost: (0, 1) for what is encoded once and decoded often.
+    :raises ValueError: no codec is so fine, or there is no such element, domain or weight.
 
-    >>> unitvec.choose(0.01).dtype
-    dtype('uint32')
+    >>> unitvec.choose(0.01).id
+    'oct32'
     """
-    found = [c for c in codecs() if c.element == element and c.domain in ("sphere", domain) and c.max_deg > 0]
+    found = [c for c in codecs() if c.element == element and c.domain in ("sphere", domain) and c.is_unit and c.max_deg > 0]
     if not found or domain not in ("sphere", "hemisphere"):
         raise ValueError(
             f"there are no {element!r} over a {domain!r}; elements are 'vectors', 'frames' and 'rotations', domains 'sphere'"
             " and 'hemisphere'"
         )
-    finest = min(c.max_deg for c in found)
+    if len(weights) != 2 or not all(0 <= weight < np.inf for weight in weights):
+        raise ValueError(f"weights are two numbers from 0 on, of encoding and of decoding, not {weights!r}")
+    finest = min(max(c.max_errors_deg) for c in found)
     if not max_error >= finest:
         raise ValueError(f"no codec of {element} is within {max_error} degrees; the finest reaches {finest}")
-    return min((c for c in found if c.max_deg <= max_error), key=lambda c: (c.bytes, c.mean_deg))
+
+    def order(c: Codec) -> tuple[int, float, float]:
+        cost = sum(weight * cost for weight, cost in zip(weights, c.costs) if weight)
+        return c.bytes, cost if cost >= 0 else np.inf, c.mean_deg
+
+    return min((c for c in found if max(c.max_errors_deg) <= max_error), key=order)
 
 
 def encode(
-    elements: Any, codec: str, *, null: bool = False, threads: int | None = None, out: np.ndarray | None = None
+    elements: Any, codec: str, *, null: bool = False, dither: Any = None, threads: int | None = None, out: np.ndarray | None = None
 ) -> np.ndarray:
     """Encodes vectors, frames or rotations to integers.
 
@@ -108,30 +122,41 @@ def encode(
         rounded to float32.
     :param codec: a name of `codecs()` or `formats()`.
     :param null: vectors without a direction (zeros, NaN, infinite ones) get the codec's null code. Else they get the code of +Z.
+    :param dither: one key per vector, from which comes a small offset; `decode` needs the same. The errors of neighbours are then
+        noise in place of bands. Integers of shape (...), as the indices of vertices, or (..., 2), as pixels: both from 0 to
+        2^32 - 1; or floats of shape (..., 3), positions equal to the bit as float32, or (..., 2), the offsets themselves, in steps of
+        the lattice, clamped to [-1/2, 1/2]. Only ``oct`` to 32 bits, ``hemioct``, ``soct`` and ``eaoct`` take it.
     :param threads: None for all cores, 1 for the calling thread.
     :param out: an array for the codes, which is returned.
     :returns: codes of shape (...), of the type `Codec.dtype`. Bits above `Codec.bits` are 0.
-    :raises ValueError: a wrong name, shape, type or number of threads, or no null code.
+    :raises ValueError: a wrong name, shape, type or number of threads, or a codec without null code or dither.
+
+    >>> keys = np.arange(2)
+    >>> codes = unitvec.encode([[0.6, 0.0, -0.8], [0.0, 1.0, 0.0]], "oct16", dither=keys)
+    >>> unitvec.decode(codes, "oct16", dither=keys).shape
+    (2, 3)
     """
     by = _named(codec)
     flat, shape = _flat(elements, by)
     target, result = _output(out, shape, by.dtype, flat)
-    _native.encode(by.id, flat, _bytes(target), _item(by), bool(null), _threads(threads))
+    options = (bool(null), _offsets(dither, shape), _threads(threads))
+    _native.encode(by.id, flat, _bytes(target), _item(by), options)
     return _filled(target, result)
 
 
 def decode(
-    codes: Any, codec: str, *, null: bool = False, threads: int | None = None, out: np.ndarray | None = None
+    codes: Any, codec: str, *, null: bool = False, dither: Any = None, threads: int | None = None, out: np.ndarray | None = None
 ) -> np.ndarray:
     """Decodes integers, as `encode` makes them.
 
     :param codes: integers of any type and shape (...). Each must fit into `Codec.bits`.
     :param codec: the name that they were encoded by.
     :param null: null codes become zeros. Else they become unit vectors like any other code.
+    :param dither: the keys that they were encoded with. Others add up to a step of the lattice to the error.
     :param threads: None for all cores, 1 for the calling thread.
     :param out: an array for the elements, which is returned.
     :returns: float32 of shape (..., 3); of frames (..., 7), of rotations (..., 4).
-    :raises ValueError: a wrong name, type, shape or number of threads, codes that do not fit, or no null code.
+    :raises ValueError: a wrong name, type, shape or number of threads, codes that do not fit, or a codec without null code or dither.
     """
     by = _named(codec)
     codes = _array(codes)
@@ -145,7 +170,8 @@ def decode(
     # As they are, or copied where they have gaps or are of another type.
     flat = np.require(codes, by.dtype, ["C", "A"]).reshape(-1)
     target, result = _output(out, (*codes.shape, by.floats), np.dtype(np.float32), flat)
-    _native.decode(by.id, _bytes(flat), _item(by), target, bool(null), _threads(threads))
+    options = (bool(null), _offsets(dither, codes.shape), _threads(threads))
+    _native.decode(by.id, _bytes(flat), _item(by), target, options)
     return _filled(target, result)
 
 
@@ -215,6 +241,28 @@ def _flat(elements: Any, by: Codec) -> tuple[np.ndarray, tuple[int, ...]]:
 def _check_floats(dtype: np.dtype[Any], by: Codec) -> None:
     if dtype.kind != "f" or dtype.itemsize not in (4, 8):
         raise ValueError(f"{by.id} encodes float32 or float64, not {dtype}; .astype('float32') makes them so")
+
+
+def _offsets(dither: Any, shape: tuple[int, ...]) -> np.ndarray | None:
+    """The offsets of dithered codes in one row."""
+    if dither is None:
+        return None
+    keys = _array(dither)
+    is_integer = keys.dtype.kind in "iu"
+    widths = {shape: 1, (*shape, 2): 2} if is_integer else {(*shape, 2): 2, (*shape, 3): 3}
+    if keys.dtype.kind not in "iuf" or keys.shape not in widths:
+        raise ValueError(
+            f"dither takes integers of shape {shape} or, for pixels, {(*shape, 2)}, or floats of shape {(*shape, 3)} for positions"
+            f" or {(*shape, 2)} for offsets, not {keys.dtype} of shape {keys.shape}"
+        )
+    if is_integer and keys.size and not (0 <= int(keys.min()) and int(keys.max()) < 1 << 32):
+        raise ValueError("keys of dither are integers from 0 to 2^32 - 1; take them modulo 2^32")
+    flat = np.require(keys, np.uint32 if is_integer else np.float32, ["C", "A"]).reshape(-1)
+    if not is_integer and widths[keys.shape] == 2:
+        return flat
+    offsets = np.empty(2 * int(np.prod(shape)), np.float32)
+    _native.offsets(flat, widths[keys.shape], offsets)
+    return offsets
 
 
 def _with_null(name: str) -> Codec:

@@ -5,8 +5,7 @@ use super::{compare, markdown_table};
 use crate::isa::{committed, stages};
 use serde_json::Value;
 use std::sync::LazyLock;
-use unitvec_catalogue::CODECS;
-use unitvec_catalogue::Operation;
+use unitvec_catalogue::{AnyCodec, CODECS, Operation};
 use unitvec_choose::MEASURED;
 use unitvec_choose::costs::{GENERATIONS, Generation, Report, Row, Source};
 use unitvec_lab::isa::pareto;
@@ -33,6 +32,17 @@ pub fn cost(id: &str, operation: Operation) -> f64 {
 /// The costs of both operations on RDNA 2.
 pub fn both(id: &str) -> String {
     Operation::ALL.map(|operation| format!("{:.1}", cost(id, operation))).join(" / ")
+}
+
+/// The catalogue has the costs on RDNA 2.
+#[test]
+fn the_catalogue_is_current() {
+    let row = |codec: &AnyCodec| {
+        let [encode, decode] = Operation::ALL.map(|operation| cost(codec.id, operation));
+        format!("{},{encode},{decode}\n", codec.id)
+    };
+    let text = String::from("codec,encode,decode\n") + &CODECS.iter().map(row).collect::<String>();
+    compare(&repository().join("catalogue/data/costs.csv"), &text);
 }
 
 /// A number with so many digits, or a dash where there is none.

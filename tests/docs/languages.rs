@@ -72,7 +72,7 @@ fn all_compilers_keep_their_promises() {
             format!("{} {}, {} {}, {}", row.language, row.edition, row.compiler, row.options, row.driver);
         assert!(row.kernels == rows[0].kernels && row.kernels <= 2 * CODECS.len(), "{name}");
         let inputs = if row.promise == "compiled" { (0, 0) } else { (65_536, 4_096) };
-        assert_eq!((row.random, row.special), inputs, "{name}");
+        assert!(row.random >= inputs.0 && row.special == inputs.1, "{name}");
         let differ = row.codes_differ + row.special_differ + row.elements_differ;
         match row.promise.as_str() {
             "equal" => assert_eq!(differ, 0, "{name}"),

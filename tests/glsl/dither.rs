@@ -3,11 +3,9 @@
 use super::floats::vectors;
 use super::{assert_same_bits, assert_same_words};
 use std::collections::BTreeSet;
-use unitvec::codec::RawCode;
 use unitvec::dither::*;
 use unitvec::glam::{UVec2, Vec2, Vec3};
-use unitvec::*;
-use unitvec_catalogue::CODECS;
+use unitvec_catalogue::{CODECS, Dither};
 use unitvec_oracle::{angle_deg, length, normalize};
 use unitvec_tests::checks::LENGTH_ROUNDING;
 use unitvec_tests::directions::{Rng, near_planes, sphere};
@@ -21,40 +19,16 @@ pub struct Case {
     pub decode: fn([u32; 2], Vec2) -> Vec3,
 }
 
-fn case<C: Dithered + Listed>() -> Case {
-    Case {
-        id: C::NAME,
-        words: if C::BITS > 32 { 2 } else { 1 },
-        encode: |v, offset| C::encode_dithered(v, offset).to_words(),
-        decode: |code, offset| C::decode_dithered(C::Code::from_words(code), offset),
-    }
-}
-
-/// The cases of all codecs of the four dithered families.
+/// The cases of all codecs that have them in the catalogue.
 pub fn cases() -> Vec<Case> {
-    macro_rules! case_of {
-        (oct $codec:ident) => {
-            Some(case::<$codec>())
-        };
-        (hemioct $codec:ident) => {
-            Some(case::<$codec>())
-        };
-        (soct $codec:ident) => {
-            Some(case::<$codec>())
-        };
-        (eaoct $codec:ident) => {
-            Some(case::<$codec>())
-        };
-        ($family:ident $codec:ident) => {
-            None
-        };
-    }
-    macro_rules! cases_of {
-        ($([$id:ident $codec:ident $(($by:ident))? = $family:ident :: $($rest:tt)*])*) => {
-            [$(case_of!($family $codec)),*].into_iter().flatten().collect()
-        };
-    }
-    for_each_codec!(cases_of)
+    let all = CODECS.iter().filter_map(|codec| codec.dither().ok());
+    all.map(|Dither { codec, encode_one, decode_one }| Case {
+        id: codec.id,
+        words: if codec.bits > 32 { 2 } else { 1 },
+        encode: encode_one,
+        decode: decode_one,
+    })
+    .collect()
 }
 
 /// The names of the public functions of dither.glsl.

@@ -5,6 +5,7 @@ use crate::drivers::debian::{CHROMIUM, PACKAGED};
 use crate::{built, cache, cargo, output, repository, run as run_command, setup, take, target};
 use std::ffi::OsString;
 use std::fs;
+use std::iter;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -71,9 +72,41 @@ const DAWN: Archive = Archive {
     file: "package/dist/linux-x64/dawn.node",
 };
 
+/// The compiler of CUDA. The other packages hold its optimiser and headers, in the same folder.
+const NVCC: [Archive; 4] = [
+    Archive {
+        name: "nvidia_cuda_nvcc-13.5.37",
+        url: "https://files.pythonhosted.org/packages/0b/7d/21c734e63423dc53fb1b1ebbb6dee84e9ccafbeeaa30e9ae07e6fdcdd15b/nvidia_cuda_nvcc-13.5.37-py3-none-manylinux2014_x86_64.manylinux_2_17_x86_64.whl",
+        sha256: "f5c4f7ead5d964fb4af42bbf1e6d3ec3c1e6e9d83b53749f691d387e7fcaa3a7",
+        members: "nvidia/cu13/*",
+        file: "nvidia/cu13/bin/nvcc",
+    },
+    Archive {
+        name: "nvidia_nvvm-13.5.37",
+        url: "https://files.pythonhosted.org/packages/23/dc/c7089283bad8e8089825b0cae0898f8a89b5d27bdb2edea5266d259101e1/nvidia_nvvm-13.5.37-py3-none-manylinux2010_x86_64.manylinux_2_12_x86_64.whl",
+        sha256: "c41bfa362e407405163f103c2229f0765f8cc2ed7d148b754dc77f228bf7e070",
+        members: "nvidia/cu13/*",
+        file: "nvidia/cu13/nvvm/bin/cicc",
+    },
+    Archive {
+        name: "nvidia_cuda_crt-13.5.37",
+        url: "https://files.pythonhosted.org/packages/d5/ac/fb3ca43f437405ce33bfd8ba64503148fdc9198265f26f8ecd1bd6e76338/nvidia_cuda_crt-13.5.37-py3-none-manylinux2014_x86_64.manylinux_2_17_x86_64.whl",
+        sha256: "e898b7f73d3035fa89915a3f7bf3b54a73e90249746111aed295822c4729bb29",
+        members: "nvidia/cu13/*",
+        file: "nvidia/cu13/include/crt/host_config.h",
+    },
+    Archive {
+        name: "nvidia_cuda_runtime-13.5.37",
+        url: "https://files.pythonhosted.org/packages/0b/7c/14b8f5518f8951e9dca57ea80f44f8ea8bcc8671812e6cc38009f3205e57/nvidia_cuda_runtime-13.5.37-py3-none-manylinux2014_x86_64.manylinux_2_17_x86_64.whl",
+        sha256: "df2b79a8852f10d1fef8c848489c49eebb5754051bf870202a862831412b179d",
+        members: "nvidia/cu13/*",
+        file: "nvidia/cu13/include/cuda_runtime.h",
+    },
+];
+
 /// The fetched compilers, for the hash of the record's inputs.
 pub fn versions() -> String {
-    format!("{:?}", (DXC, FXC, SLANG, DAWN, CHROMIUM, PACKAGED, GPU))
+    format!("{:?}", (DXC, FXC, SLANG, DAWN, NVCC, CHROMIUM, PACKAGED, GPU))
 }
 
 /// Takes the files that match a pattern out of an archive, of whatever kind.
@@ -152,11 +185,10 @@ impl Found {
         found.add("DXC", "--dxc", DXC.fetch(languages));
         found.add("FXC", "--fxc", setup::packages(&FOR_FXC).and_then(|()| FXC.fetch(languages)));
         found.add("Slang", "--slang", SLANG.fetch(languages));
-        if let Err(reason) = setup::packages(&["clang", "g++"]) {
-            found.missing.push(format!("clang: {reason}"));
-        } else {
-            found.arguments.push("--clang".into());
-        }
+        found.option("clang", "--clang", setup::packages(&["clang", "g++"]));
+        found.option("MinGW", "--mingw", setup::packages(&["g++-mingw-w64-x86-64"]));
+        let [nvcc, others @ ..] = &NVCC;
+        found.add("nvcc", "--nvcc", nvcc.fetch_with(others, languages));
         found.add("Chromium", "--chromium", CHROMIUM.fetch(drivers).map(|()| CHROMIUM.root(drivers)));
         let node = setup::packages(&["nodejs"]);
         found.add("Dawn", "--dawn", node.and_then(|()| DAWN.fetch(languages)));
@@ -165,6 +197,13 @@ impl Found {
             found.add(&driver.title(), "--icd", driver.fetch(drivers).map(|()| driver.icd(drivers)));
         }
         found
+    }
+
+    fn option(&mut self, title: &str, option: &str, packages: Result<(), String>) {
+        match packages {
+            Ok(()) => self.arguments.push(option.into()),
+            Err(reason) => self.missing.push(format!("{title}: {reason}")),
+        }
     }
 
     fn add(&mut self, title: &str, option: &str, path: Result<PathBuf, String>) {
@@ -178,28 +217,42 @@ impl Found {
 impl Archive {
     /// The file, fetched and unpacked where it is not there yet.
     pub fn fetch(&self, cache: &Path) -> Result<PathBuf, String> {
+        self.fetch_with(&[], cache)
+    }
+
+    /// [`fetch`](Self::fetch), with other archives in the same folder.
+    fn fetch_with(&self, others: &[Self], cache: &Path) -> Result<PathBuf, String> {
         if !cfg!(all(target_os = "linux", target_arch = "x86_64")) {
             return Err(format!("{} is fetched for Linux on x86-64 only", self.name));
         }
-        let (folder, archive) = (cache.join(self.name), cache.join(format!("{}.archive", self.name)));
+        let folder = cache.join(self.name);
         let file = folder.join(self.file);
         if file.is_file() {
             return Ok(file);
         }
+        // The archives are unpacked beside their place, so that the files there are whole.
+        let part = cache.join(format!("{}.part", self.name));
+        let _ = fs::remove_dir_all(&part);
+        iter::once(self).chain(others).try_for_each(|archive| archive.unpack(cache, &part))?;
+        let _ = fs::remove_dir_all(&folder);
+        fs::rename(&part, &folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+        Ok(file)
+    }
+
+    /// Fetches the archive, and unpacks it into a folder.
+    fn unpack(&self, cache: &Path, folder: &Path) -> Result<(), String> {
         println!("xtask: fetching {}", self.name);
+        let archive = cache.join(format!("{}.archive", self.name));
         let mut curl = Command::new("curl");
         curl.args(["--fail", "--silent", "--show-error", "--location", "--retry", "3", "--output"]);
         run_command(curl.arg(&archive).arg(self.url)).map_err(|error| format!("{}: {error}", self.url))?;
         self.check(&archive)?;
-        // The archive is unpacked beside its place, so that the files there are whole.
-        let part = cache.join(format!("{}.part", self.name));
-        let _ = fs::remove_dir_all(&part);
-        run_command(Command::new("python3").args(["-c", UNPACK]).arg(&archive).arg(self.members).arg(&part))?;
-        let _ = fs::remove_dir_all(&folder);
-        let failed = |error: std::io::Error| format!("{}: {error}", folder.display());
-        fs::rename(&part, &folder).map_err(failed)?;
-        fs::remove_file(&archive).map_err(failed)?;
-        if file.is_file() { Ok(file) } else { Err(format!("{} has no {}", self.url, self.file)) }
+        run_command(
+            Command::new("python3").args(["-c", UNPACK]).arg(&archive).arg(self.members).arg(folder),
+        )?;
+        fs::remove_file(&archive).map_err(|error| format!("{}: {error}", archive.display()))?;
+        let is_there = folder.join(self.file).is_file();
+        if is_there { Ok(()) } else { Err(format!("{} has no {}", self.url, self.file)) }
     }
 
     /// Fails where the archive is not the expected one.
@@ -235,7 +288,7 @@ mod tests {
 
     #[test]
     fn archives_are_pinned() {
-        for archive in [&DXC, &FXC, &SLANG, &DAWN] {
+        for archive in [&DXC, &FXC, &SLANG, &DAWN].into_iter().chain(&NVCC) {
             let Archive { name, url, sha256, .. } = archive;
             assert!(url.starts_with("https://") && url.contains(name), "{url}");
             assert!(sha256.len() == 64 && sha256.chars().all(|c| c.is_ascii_hexdigit()), "{sha256}");

@@ -12,6 +12,18 @@ const INTERPRETERS: &str = "UNITVEC_PYTHON";
 /// The versions of NumPy that each interpreter is tested with: the last before 2, where it has one, and the newest.
 const NUMPY: [&str; 2] = ["numpy<2", "numpy"];
 
+/// The examples that run, and what they need besides the wheel. Those of Ray and Spark need half a gigabyte more, and Java.
+const EXAMPLES: [(&str, &str); 5] = [
+    ("dask_zarr", "dask[array,distributed]"),
+    ("xarray_winds", "xarray"),
+    ("parquet", "pyarrow"),
+    ("duckdb_udf", "duckdb"),
+    ("polars_udf", "polars"),
+];
+
+/// Rows of each example.
+const ROWS: &str = "20000";
+
 /// What it takes from PyPI.
 const REQUIREMENTS: &str = "python/requirements.txt";
 
@@ -77,7 +89,8 @@ fn test(
     }
     let install =
         |wheel: &str| run_command(Command::new(&pip).args(["-q", "install", numpy, wheel, "pytest"]));
-    if install(&format!("{wheel}[zarr,numcodecs]")).is_err() {
+    let has_zarr = install(&format!("{wheel}[zarr,numcodecs]")).is_ok();
+    if !has_zarr {
         println!("xtask: LEFT OUT: this interpreter has no Zarr 3.1");
         install(wheel)?;
     }
@@ -93,7 +106,17 @@ fn test(
         .args(["-m", "pytest", "-q", "-p", "no:cacheprovider", "--import-mode=importlib"])
         .arg(tests.join("tests"));
     pytest.env("UNITVEC_PROGRAM", unitvec).env("UNITVEC_COUNT", count).current_dir(&new);
-    run_command(&mut pytest)
+    run_command(&mut pytest)?;
+    if has_zarr && NUMPY.ends_with(&[numpy]) { examples(&pip, &python, &new) } else { Ok(()) }
+}
+
+/// Installs what the examples need, and runs each.
+fn examples(pip: &Path, python: &Path, folder: &Path) -> Result<(), String> {
+    run_command(Command::new(pip).args(["-q", "install"]).args(EXAMPLES.map(|(_, packages)| packages)))?;
+    EXAMPLES.iter().try_for_each(|(name, _)| {
+        let path = repository().join(format!("python/examples/{name}.py"));
+        run_command(Command::new(python).arg(path).arg(ROWS).current_dir(folder))
+    })
 }
 
 /// Makes an environment. Returns its pip.

@@ -66,6 +66,15 @@ struct Options {
     /// Runs MSL by clang, and C++ by clang and GCC
     #[arg(long)]
     clang: bool,
+    /// Compiles C++ for Windows by MinGW
+    #[arg(long)]
+    mingw: bool,
+    /// nvcc, which compiles C++ as CUDA
+    #[arg(long)]
+    nvcc: Option<PathBuf>,
+    /// Runs the kernels of --nvcc, on the GPU of this machine
+    #[arg(long)]
+    cuda: bool,
     /// Runs WGSL by wgpu
     #[arg(long)]
     wgpu: bool,
@@ -169,6 +178,13 @@ impl Rows<'_> {
         if options.clang {
             self.msl(&options.scratch.join("msl"));
             self.cpp(&options.scratch.join("cpp"));
+        }
+        if options.mingw {
+            let name = format!("{} for Windows", compiler_name(MINGW));
+            self.checked(&name, MINGW.as_ref(), &[&cpp::GNU, &["-std=c++11", "-fsyntax-only"]], options);
+        }
+        if let Some(nvcc) = options.nvcc.as_deref().or(options.cuda.then_some("nvcc".as_ref())) {
+            self.cuda(nvcc, options);
         }
     }
 
@@ -276,20 +292,61 @@ impl Rows<'_> {
         ] {
             let subject = Subject::new(Language::Msl, edition, &name).mode(mode);
             let hostile: &[&str] = if mode == Mode::FastMath { &cpp::HOSTILE } else { &[] };
-            let (options, language) = ([&cpp::MSL[..], hostile], Language::Msl);
-            let compiler = cpp::Compiler { program: "clang++", options: &options, language };
-            self.add(subject, |_, jobs, tally| cpp::run(compiler, edition, scratch, jobs, tally));
+            let options = [&cpp::GNU[..], &cpp::MSL, hostile];
+            self.compiled(subject, "clang++".as_ref(), &options, Some(cases::RANDOM), scratch);
         }
     }
 
     fn cpp(&self, scratch: &Path) {
         for program in ["g++", "clang++"] {
             for edition in EDITIONS {
-                let compiler = cpp::Compiler { program, options: &[&cpp::FUSING], language: Language::Cpp };
                 let subject = Subject::new(Language::Cpp, edition, &compiler_name(program));
-                self.add(subject, |_, jobs, tally| cpp::run(compiler, edition, scratch, jobs, tally));
+                self.compiled(
+                    subject,
+                    program.as_ref(),
+                    &[&cpp::GNU, &cpp::FUSING],
+                    Some(cpp::MANY),
+                    scratch,
+                );
             }
         }
+    }
+
+    fn cuda(&self, nvcc: &Path, options: &Options) {
+        let release = tool::output(Command::new(nvcc).arg("--version")).unwrap_or_default();
+        let release = release.split("release ").nth(1).and_then(|rest| rest.split(',').next());
+        let name = format!("nvcc {}", release.unwrap_or_default());
+        if !options.cuda {
+            return self.checked(&name, nvcc, &[&cpp::CUDA, &cpp::ASSEMBLED], options);
+        }
+        for edition in EDITIONS {
+            let mut subject = Subject::new(Language::Cpp, edition, &name);
+            subject.driver = "CUDA".to_owned();
+            let scratch = options.scratch.join("cuda");
+            self.compiled(subject, nvcc, &[&cpp::CUDA, &["-arch=native"]], Some(cpp::MANY), &scratch);
+        }
+    }
+
+    /// Compiles C++ that nothing here runs.
+    fn checked(&self, name: &str, program: &Path, arguments: &[&[&str]], options: &Options) {
+        for edition in EDITIONS {
+            let subject = Subject::new(Language::Cpp, edition, name).mode(Mode::Compiled);
+            self.compiled(subject, program, arguments, None, &options.scratch.join("checked"));
+        }
+    }
+
+    /// Compiles MSL or C++, and runs it over so many random inputs.
+    fn compiled(
+        &self,
+        subject: Subject,
+        program: &Path,
+        options: &[&[&str]],
+        random: Option<usize>,
+        scratch: &Path,
+    ) {
+        let compiler = cpp::Compiler { program, options, language: subject.language, random };
+        let edition = subject.edition;
+        self.add(subject, |_, jobs, tally| cpp::run(compiler, edition, scratch, jobs, tally));
     }
 
     fn add(
@@ -314,10 +371,13 @@ impl Rows<'_> {
     }
 }
 
+/// The compiler of C++ for Windows.
+const MINGW: &str = "x86_64-w64-mingw32-g++";
+
 /// A compiler's name and version.
 fn compiler_name(program: &str) -> String {
     let version = tool::output(Command::new(program).arg("-dumpversion")).unwrap_or_default();
-    format!("{} {}", if program == "g++" { "GCC" } else { "clang" }, version.trim())
+    format!("{} {}", if program.contains("clang") { "clang" } else { "GCC" }, version.trim())
 }
 
 /// The device that SPIR-V runs on.

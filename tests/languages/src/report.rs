@@ -1,6 +1,6 @@
 //! The results, for the screen and for the docs.
 
-use crate::cases::{RANDOM, SPECIAL};
+use crate::cases::SPECIAL;
 use crate::tally::Tally;
 use crate::{Result, told};
 use serde::Serialize;
@@ -140,7 +140,6 @@ impl Row {
         let Self { subject, tally, .. } = self;
         let Outcome { codes_differ, special_differ, error, elements_differ, component_ulp, .. } =
             tally.outcome;
-        let is_run = subject.mode != Mode::Compiled;
         let [language, edition, compiler, options, driver] = subject.parts();
         Record {
             language,
@@ -149,8 +148,8 @@ impl Row {
             options,
             driver,
             kernels: tally.kernels,
-            random: if is_run { RANDOM } else { 0 },
-            special: if is_run { SPECIAL } else { 0 },
+            random: tally.random,
+            special: if tally.random > 0 { SPECIAL } else { 0 },
             codes_differ,
             special_differ,
             error: number(error),

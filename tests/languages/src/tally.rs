@@ -1,6 +1,6 @@
 //! Results of a compiler's code on a driver.
 
-use crate::cases::{Case, RANDOM, stored};
+use crate::cases::{Case, stored};
 use crate::{Result, told};
 use unitvec::direction::{MAX_NORM, MIN_NORM};
 use unitvec_catalogue::{AnyCodec, Operation};
@@ -11,6 +11,8 @@ use unitvec_lab::imprecise::{Outcome, error_bound, of_codes, of_elements};
 pub struct Tally {
     /// Kernels of codecs that ran, or were compiled where none runs.
     pub kernels: usize,
+    /// Random inputs of each kernel; 0 where none runs.
+    pub random: usize,
     pub outcome: Outcome,
     /// Largest angle between a decoded element and the CPU's, as a part of the codec's error bound.
     pub angle: f64,
@@ -64,6 +66,7 @@ impl Tally {
             }
         };
         self.kernels += usize::from(!case.has_all_files);
+        self.random = case.random;
         if words == case.expected {
             return Ok(());
         }
@@ -93,12 +96,12 @@ fn outcome(case: &Case, words: &[u32]) -> Result<Outcome> {
         return Ok(of_elements(case.format, decoded, expected));
     }
     let (read, written) = case.words();
-    let (random, special) = words.split_at(RANDOM * written);
-    let (expected, expected_special) = case.expected.split_at(RANDOM * written);
+    let (random, special) = words.split_at(case.random * written);
+    let (expected, expected_special) = case.expected.split_at(case.random * written);
     let differ = |a: &[u32], b: &[u32]| {
         a.chunks_exact(written).zip(b.chunks_exact(written)).filter(|(a, b)| a != b).count() as u64
     };
-    let elements = bytemuck::cast_slice(&case.input[..RANDOM * read]);
+    let elements = bytemuck::cast_slice(&case.input[..case.random * read]);
     let (codes, expected_codes) = (stored(case.format, random), stored(case.format, expected));
     let (_, error) = of_codes(case.format, elements, &codes, &expected_codes).map_err(told)?;
     Ok(Outcome {
@@ -119,7 +122,7 @@ fn special_part(case: &Case, words: &[u32]) -> Result<f64> {
     let elements = case.input.chunks_exact(read).map(bytemuck::cast_slice::<u32, f32>);
     let codes = words.chunks_exact(written).zip(case.expected.chunks_exact(written));
     let mut part = 0f64;
-    for (element, (code, expected)) in elements.zip(codes).skip(RANDOM).filter(|(_, (a, b))| a != b) {
+    for (element, (code, expected)) in elements.zip(codes).skip(case.random).filter(|(_, (a, b))| a != b) {
         match has_direction(element) {
             Some(true) => {
                 let [code, expected] = [decoded(case.format, code)?, decoded(case.format, expected)?];
@@ -154,7 +157,7 @@ fn decoded(format: &AnyCodec, code: &[u32]) -> Result<Vec<f32>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cases::cases;
+    use crate::cases::{RANDOM, cases};
     use unitvec_catalogue::find;
 
     fn tally_of(id: &str, operation: Operation, change: impl FnOnce(&mut Vec<u32>)) -> Tally {

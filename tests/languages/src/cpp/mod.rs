@@ -1,20 +1,32 @@
-//! MSL as C++17, by clang; C++11 by several compilers.
+//! MSL as C++17, by clang; C++11 by several compilers, CUDA among them.
 
-use crate::cases::COUNT;
+use crate::cases::{Case, Inputs, SPECIAL};
 use crate::job::Job;
 use crate::tally::Tally;
 use crate::{Result, told, tool, whole};
 use std::fmt::Write;
 use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
+use std::sync::{Mutex, PoisonError};
 use std::{fs, thread};
 use unitvec_run::shader::kernel::own_name;
 use unitvec_run::shader::{Edition, Language};
 
+/// Random inputs of each kernel in C++.
+pub const MANY: usize = 1_000_000;
+
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/cpp");
 
-const ARGUMENTS: [&str; 5] = ["-O2", "-Wall", "-Wextra", "-Werror", "-xc++"];
+/// Options for GCC and clang.
+pub const GNU: [&str; 5] = ["-O2", "-Wall", "-Wextra", "-Werror", "-xc++"];
+
+/// Options for CUDA.
+pub const CUDA: [&str; 7] = ["-x", "cu", "-O2", "-Werror", "all-warnings", "-Xcompiler", "-Wall,-Wextra"];
+
+/// Options to assemble CUDA for the oldest GPUs that nvcc takes and for new ones.
+pub const ASSEMBLED: [&str; 5] =
+    ["-fatbin", "-gencode", "arch=compute_75,code=sm_75", "-gencode", "arch=compute_90,code=sm_90"];
 
 /// Options for MSL.
 pub const MSL: [&str; 3] = ["-std=c++17", "-fno-math-errno", "-Wno-unknown-attributes"];
@@ -36,9 +48,11 @@ pub const HOSTILE: [&str; 6] = [
 /// A compiler and its options, for a language.
 #[derive(Clone, Copy)]
 pub struct Compiler<'a> {
-    pub program: &'a str,
+    pub program: &'a Path,
     pub options: &'a [&'a [&'a str]],
     pub language: Language,
+    /// Inputs of each kernel before the special ones; `None` where the options make no program.
+    pub random: Option<usize>,
 }
 
 /// Compiles into the folder, and runs.
@@ -51,24 +65,39 @@ pub fn run(
 ) -> Result<()> {
     fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     let size = jobs.len().div_ceil(thread::available_parallelism().map_or(1, usize::from)).max(1);
-    let parts: Vec<_> = jobs.chunks(size).enumerate().collect();
-    let programs: Vec<Result<PathBuf>> = thread::scope(|scope| {
-        let build = |(number, jobs): &(usize, &[Job<'_>])| {
-            let (program, text) = (folder.join(format!("codecs{number}")), source(compiler.language, jobs));
-            scope.spawn(move || compile(compiler, edition, &program, &text))
+    let tally = Mutex::new(tally);
+    thread::scope(|scope| {
+        let start = |(number, jobs)| {
+            let (program, tally) = (folder.join(format!("codecs{number}")), &tally);
+            scope.spawn(move || run_part(compiler, edition, &program, jobs, tally))
         };
-        let threads: Vec<_> = parts.iter().map(build).collect();
-        let join = |thread: thread::ScopedJoinHandle<'_, _>| {
+        let threads: Vec<_> = jobs.chunks(size).enumerate().map(start).collect();
+        threads.into_iter().try_for_each(|thread| {
             thread.join().unwrap_or_else(|_| Err("the thread that ran the compiler panicked".to_owned()))
-        };
-        threads.into_iter().map(join).collect()
-    });
-    for ((_, jobs), program) in parts.iter().zip(programs) {
-        for (number, job) in jobs.iter().enumerate() {
-            tally.add(job.case, program.clone().and_then(|program| execute(&program, number, job)))?;
-        }
-    }
-    Ok(())
+        })
+    })
+}
+
+fn run_part(
+    compiler: Compiler<'_>,
+    edition: Edition,
+    program: &Path,
+    jobs: &[Job<'_>],
+    tally: &Mutex<&mut Tally>,
+) -> Result<()> {
+    let compiled = compile(compiler, edition, program, &source(compiler.language, jobs));
+    let tally = || tally.lock().unwrap_or_else(PoisonError::into_inner);
+    let Some(random) = compiler.random else {
+        jobs.iter().for_each(|job| tally().add_compiled(job.case, compiled.clone().map(|()| Vec::new())));
+        return Ok(());
+    };
+    let mut inputs = Inputs::new(random);
+    jobs.iter().enumerate().try_for_each(|(number, job)| {
+        let case = inputs.case(job.case.format, job.case.operation)?;
+        let case = Case { has_all_files: job.case.has_all_files, ..case };
+        let result = compiled.clone().and_then(|()| execute(program, number, &case));
+        tally().add(&case, result)
+    })
 }
 
 /// All kernels in one file, each with the functions it needs, as people get it: what they share counts once. The files of
@@ -81,7 +110,7 @@ fn source(language: Language, jobs: &[Job<'_>]) -> String {
     } else {
         "#include <metal_stdlib>\n"
     };
-    let (mut text, mut table) = (head.to_owned(), String::new());
+    let (mut text, mut table) = (format!("{head}#include \"run.h\"\n"), String::new());
     for job in jobs {
         let name = if job.case.has_all_files { "files" } else { "texts" };
         let kernel = own_name(job.case.format, job.case.operation);
@@ -94,27 +123,25 @@ fn source(language: Language, jobs: &[Job<'_>]) -> String {
         let (read, written) = job.case.words();
         // Writing to a string cannot fail.
         let _ = write!(text, "\n{own_types}namespace {name} {{\n{}\n}}\n{own_types}", job.text);
-        let _ = writeln!(table, "    {{{name}::{kernel}, {read}, {written}}},");
+        let _ = writeln!(table, "    {{KERNEL({name}::{kernel}), {read}, {written}}},");
     }
-    let kernel = "typedef unsigned int uint;\nstruct Kernel { void (*run)(const uint*, uint*, const uint&, uint); uint read, written; };";
-    format!("{text}\n{kernel}\nconst Kernel KERNELS[] = {{\n{table}}};\n\n#include \"run.h\"\n")
+    format!("{text}\nconst Kernel KERNELS[] = {{\n{table}}};\n\nMAIN\n")
 }
 
-fn compile(compiler: Compiler<'_>, edition: Edition, program: &Path, text: &str) -> Result<PathBuf> {
+fn compile(compiler: Compiler<'_>, edition: Edition, program: &Path, text: &str) -> Result<()> {
     let source = program.with_extension(compiler.language.extension());
     fs::write(&source, text).map_err(|error| format!("{}: {error}", source.display()))?;
     let mut command = Command::new(compiler.program);
-    command.args(ARGUMENTS).args(compiler.options.concat()).args(["-I", FOLDER, "-I"]);
+    command.args(compiler.options.concat()).args(["-I", FOLDER, "-I"]);
     command.arg(whole::folder(compiler.language, edition));
     command.arg("-o").arg(program).arg(&source);
-    tool::output(&mut command)?;
-    Ok(program.to_owned())
+    tool::output(&mut command).map(drop)
 }
 
-fn execute(program: &Path, number: usize, job: &Job<'_>) -> Result<Vec<u32>> {
+fn execute(program: &Path, number: usize, case: &Case) -> Result<Vec<u32>> {
     let mut command = Command::new(program);
-    command.arg(number.to_string()).arg(COUNT.to_string());
-    let input = bytemuck::cast_slice(&job.case.input).to_vec();
+    command.arg(number.to_string()).arg((case.random + SPECIAL).to_string());
+    let input = bytemuck::cast_slice(&case.input).to_vec();
     let bytes = tool::converse(&mut command, input, |mut output| {
         let mut bytes = Vec::new();
         output.read_to_end(&mut bytes).map_err(told)?;
