@@ -75,30 +75,28 @@ mod _native {
         [codecs.collect(), formats().iter().map(|format| format.id).collect()]
     }
 
-    /// Encodes elements to codes in `item` bytes each.
+    /// Encodes elements to integers.
     #[pyfunction]
     fn encode(
         py: Python<'_>,
         name: &str,
         elements: Elements<'_>,
         mut codes: PyReadwriteArray1<'_, u8>,
-        item: usize,
         null: bool,
         threads: Option<usize>,
     ) -> PyResult<()> {
         let codec = find(name)?;
         let (null, pool) = (null_of(codec, null)?, pool(threads)?);
         let (floats, codes) = (elements.floats()?, codes.as_slice_mut()?);
-        py.detach(|| portions::encode(codec, floats, (codes, item), null, &pool)).map_err(invalid)
+        py.detach(|| portions::encode(codec, floats, codes, null, &pool)).map_err(invalid)
     }
 
-    /// Decodes codes of `item` bytes each.
+    /// Decodes integers.
     #[pyfunction]
     fn decode(
         py: Python<'_>,
         name: &str,
         codes: PyReadonlyArray1<'_, u8>,
-        item: usize,
         mut elements: PyReadwriteArray1<'_, f32>,
         null: bool,
         threads: Option<usize>,
@@ -106,7 +104,7 @@ mod _native {
         let codec = find(name)?;
         let (null, pool) = (null_of(codec, null)?, pool(threads)?);
         let (codes, elements) = (codes.as_slice()?, elements.as_slice_mut()?);
-        py.detach(|| portions::decode(codec, (codes, item), elements, null, &pool)).map_err(invalid)
+        py.detach(|| portions::decode(codec, codes, elements, null, &pool)).map_err(invalid)
     }
 
     /// The error of each part of each element after encoding and decoding; NaN where there is none.

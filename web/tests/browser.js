@@ -1,4 +1,5 @@
-// Opens the page of `target/web` in headless Chromium, the file that UNITVEC_CHROMIUM names.
+// Opens the page of `target/web` in headless Chromium: the file that UNITVEC_CHROMIUM names, with the libraries of
+// UNITVEC_CHROMIUM_LIBRARIES.
 
 import { PNG } from "pngjs";
 import puppeteer from "puppeteer-core";
@@ -9,8 +10,11 @@ const ARGS = ["--no-sandbox", "--enable-unsafe-webgpu", "--use-webgpu-adapter=sw
 // Without Vulkan's compositor SwiftShader loses a WebGPU device when it meets a canvas.
 const VULKAN = ["--use-vulkan=swiftshader", "--enable-features=Vulkan"];
 
-export const launch = ({ vulkan = true } = {}) =>
-  puppeteer.launch({ executablePath: process.env.UNITVEC_CHROMIUM ?? "chromium", args: vulkan ? [...ARGS, ...VULKAN] : ARGS });
+export function launch({ vulkan = true } = {}) {
+  const { UNITVEC_CHROMIUM: file = "chromium", UNITVEC_CHROMIUM_LIBRARIES: libraries, ...env } = process.env;
+  if (libraries) env.LD_LIBRARY_PATH = libraries;
+  return puppeteer.launch({ executablePath: file, args: vulkan ? [...ARGS, ...VULKAN] : ARGS, env });
+}
 
 // A page with this state in its address, when it shows it. It has what the browser asked for and complained of.
 export async function open(browser, state = {}, { width = 1280, height = 800, features = [] } = {}) {

@@ -1,0 +1,310 @@
+/**
+ * Unit vectors, tangent frames and rotations in 8 to 64 bits, for typed arrays: the functions of the package, and `load`, which
+ * must come before them. `import … from "unitvec"` loads by itself.
+ *
+ * Codes are those of the Rust crate, the shaders and the program `unitvec`, bit for bit.
+ */
+
+import init, * as native from "../dist/unitvec.js";
+
+/** Elements in the module's memory at a time: few enough for a core's cache. */
+const PORTION = 1 << 14;
+
+/** The arrays of codes of 1 byte, 2 bytes, and so on. */
+const TYPES = [Uint8Array, Uint16Array, Uint32Array, Uint32Array, BigUint64Array, BigUint64Array, BigUint64Array, BigUint64Array];
+
+/** @typedef {Float32Array | Float64Array} Elements */
+/** @typedef {Uint8Array | Uint16Array | Uint32Array | BigUint64Array} Codes */
+/**
+ * A constructor of arrays of codes.
+ *
+ * @typedef {{
+ *   new (length: number): Codes;
+ *   new (buffer: ArrayBufferLike, byteOffset?: number, length?: number): Codes;
+ *   readonly name: string;
+ *   readonly BYTES_PER_ELEMENT: number;
+ * }} CodesType
+ */
+
+/**
+ * The facts of a codec, or of a format of other software.
+ *
+ * @typedef {object} Codec
+ * @property {string} id Its name, as the functions take it.
+ * @property {"vectors" | "frames" | "rotations"} element What it encodes.
+ * @property {number} bits Significant bits of a code, the low ones.
+ * @property {number} bytes Bytes of a code in the files of the program `unitvec`.
+ * @property {number} floats Numbers of an element: 3 of vectors, 7 of frames (normal, tangent, handedness), 4 of rotations (x, y, z, w).
+ * @property {"sphere" | "hemisphere"} domain `hemisphere` for directions with z >= 0.
+ * @property {readonly number[]} maxErrorsDeg Upper bounds of the errors in degrees; of frames the normal's and the tangent's.
+ * @property {number | bigint | null} null The code for vectors without a direction; null where there is none to spare.
+ * @property {number} meanDeg Measured mean error in degrees, over 10^6 random directions; of frames the normal's. NaN for formats.
+ * @property {number} maxDeg Measured maximum error in degrees, likewise.
+ * @property {CodesType} ArrayType The type of an array of codes: the smallest unsigned integers that hold one.
+ */
+
+/** @type {Map<string, Codec>} */
+const known = new Map();
+let isLoaded = false;
+
+/**
+ * Compiles the module. `import … from "unitvec"` does it by itself.
+ *
+ * @param {import("../dist/unitvec.js").InitInput | Promise<import("../dist/unitvec.js").InitInput>} source The bytes of `unitvec/unitvec.wasm`, or where to fetch them: a URL, a response, or a
+ *   promise of one; or a compiled module.
+ */
+export async function load(source) {
+  await init({ module_or_path: source });
+  isLoaded = true;
+}
+
+/** The version of the package. */
+export function version() {
+  checkLoaded();
+  return native.version();
+}
+
+/**
+ * The facts of the codec or format of this name.
+ *
+ * @param {string} name
+ * @returns {Codec}
+ * @throws {RangeError} There is none; similar names are in the message.
+ */
+export function codec(name) {
+  checkLoaded();
+  if (typeof name !== "string") {
+    throw new TypeError(`a codec is named by a string, as "oct32p", not by ${typeOf(name)}`);
+  }
+  const found = known.get(name);
+  if (found) return found;
+  const [id, element, bits, bytes, floats, domain, maxErrorsDeg, none, meanDeg, maxDeg] = native.codec(name);
+  const ArrayType = /** @type {CodesType} */ (TYPES[bytes - 1]);
+  Object.freeze(maxErrorsDeg);
+  const facts = { id, element, bits, bytes, floats, domain, maxErrorsDeg, null: none, meanDeg, maxDeg, ArrayType };
+  known.set(name, Object.freeze(facts));
+  return facts;
+}
+
+/** All codecs, by family and width. */
+export function codecs() {
+  checkLoaded();
+  return native.names(false).map(codec);
+}
+
+/**
+ * All formats of other software, as `tiles3d-oct16` or `draco:10`: each with the encoder that finds the nearest code and, where the
+ * name ends in ` plain`, with that software's own rounding.
+ */
+export function formats() {
+  checkLoaded();
+  return native.names(true).map(codec);
+}
+
+/**
+ * The codec of the fewest bytes whose measured maximum error, of frames the normal's, is not above `maxErrorDeg` degrees. Of those
+ * the one of least mean error.
+ *
+ * @param {number} maxErrorDeg
+ * @param {object} [options]
+ * @param {"vectors" | "frames" | "rotations"} [options.element]
+ * @param {"sphere" | "hemisphere"} [options.domain] `hemisphere` where every direction has z >= 0.
+ * @throws {RangeError} No codec is so fine, or there is no such element or domain.
+ */
+export function choose(maxErrorDeg, { element = "vectors", domain = "sphere" } = {}) {
+  const isFor = (/** @type {Codec} */ c) => c.element === element && (c.domain === "sphere" || c.domain === domain);
+  const found = codecs().filter((c) => isFor(c) && c.maxDeg > 0);
+  if (found.length === 0 || !["sphere", "hemisphere"].includes(domain)) {
+    throw new RangeError(
+      `there are no "${shown(element)}" over a "${shown(domain)}"; elements are "vectors", "frames" and "rotations", domains ` +
+        `"sphere" and "hemisphere"`,
+    );
+  }
+  const fits = found.filter((c) => c.maxDeg <= maxErrorDeg);
+  if (typeof maxErrorDeg !== "number" || fits.length === 0) {
+    const finest = Math.min(...found.map((c) => c.maxDeg));
+    throw new RangeError(`no codec of ${element} is within ${shown(maxErrorDeg)} degrees; the finest reaches ${finest}`);
+  }
+  return fits.reduce((a, b) => (b.bytes - a.bytes || b.meanDeg - a.meanDeg) < 0 ? b : a);
+}
+
+/**
+ * Encodes vectors, frames or rotations to integers.
+ *
+ * @template {Codes} [T=Codes]
+ * @param {Elements} elements Numbers of one element after the other. Of frames normal, tangent, and handedness of 1 or -1; of rotations
+ *   the quaternion x, y, z, w. Lengths do not matter, but to codecs of components (`snorm…`) and `vector…`. Doubles are rounded to
+ *   floats.
+ * @param {string | Codec} by The codec or format, or its name.
+ * @param {object} [options]
+ * @param {boolean} [options.null] Vectors without a direction (zeros, NaN, infinite ones) get the codec's null code. Else they get the code of +Z.
+ * @param {number} [options.offset] The place of the first element's first number in the array: 0 unless said.
+ * @param {number} [options.stride] Numbers from one element to the next: those of an element unless said.
+ * @param {T} [options.out] An array for the codes, which is returned.
+ * @returns {T} Codes in an array of `Codec.ArrayType`. Bits above `Codec.bits` are 0.
+ * @throws {TypeError} An argument of another type.
+ * @throws {RangeError} A wrong name, length, stride or offset, or no null code.
+ */
+export function encode(elements, by, { null: withNull = false, offset = 0, stride, out } = {}) {
+  const facts = named(by);
+  const input = floatsOf(elements, facts, offset, stride);
+  const [codes, result] = output(out, /** @type {any} */ (facts.ArrayType), input.count, elements);
+  inPortions(input.count, (first, count) => {
+    native.encode(facts.id, input.portion(first, count), bytesOf(codes.subarray(first, first + count)), Boolean(withNull));
+  });
+  return /** @type {T} */ (filled(codes, result));
+}
+
+/**
+ * Decodes integers, as `encode` makes them.
+ *
+ * @param {Codes} codes An array of `Codec.ArrayType`.
+ * @param {string | Codec} by The codec or format that they were encoded by, or its name.
+ * @param {object} [options]
+ * @param {boolean} [options.null] Null codes become zeros. Else they become unit vectors like any other code.
+ * @param {Float32Array} [options.out] An array for the elements, which is returned. Of codes that do not fit it keeps those before.
+ * @returns {Float32Array} Numbers of one element after the other.
+ * @throws {TypeError} An argument of another type.
+ * @throws {RangeError} A wrong name or length, codes that do not fit into `Codec.bits`, or no null code.
+ */
+export function decode(codes, by, { null: withNull = false, out } = {}) {
+  const facts = named(by);
+  if (typeOf(codes) !== facts.ArrayType.name) {
+    throw new TypeError(`codes of ${facts.id} are in a ${facts.ArrayType.name}, not in ${typeOf(codes)}`);
+  }
+  const [elements, result] = output(out, Float32Array, codes.length * facts.floats, codes);
+  inPortions(codes.length, (first, count) => {
+    const some = elements.subarray(first * facts.floats, (first + count) * facts.floats);
+    native.decode(facts.id, bytesOf(codes.subarray(first, first + count)), some, Boolean(withNull));
+  });
+  return filled(elements, result);
+}
+
+/**
+ * The error of each element after encoding and decoding: in degrees, of axes (`axial…`) the angle between axes in degrees, of
+ * vectors with a length (`vector…`) relative to that length.
+ *
+ * @param {Elements} elements As `encode` takes them. Doubles are rounded to floats first.
+ * @param {string | Codec} by The codec or format, or its name.
+ * @param {object} [options]
+ * @param {number} [options.offset] As in `encode`.
+ * @param {number} [options.stride] As in `encode`.
+ * @returns {Float64Array} A number for each element, of frames two: the normal's and the tangent's. NaN where there is no direction.
+ * @throws {TypeError | RangeError} As `encode` does.
+ */
+export function error(elements, by, { offset = 0, stride } = {}) {
+  const facts = named(by);
+  const input = floatsOf(elements, facts, offset, stride);
+  const parts = facts.maxErrorsDeg.length;
+  const errors = new Float64Array(input.count * parts);
+  inPortions(input.count, (first, count) => {
+    native.error(facts.id, input.portion(first, count), errors.subarray(first * parts, (first + count) * parts));
+  });
+  return errors;
+}
+
+function checkLoaded() {
+  if (!isLoaded) throw new Error('unitvec is not loaded: await load(…) first, or import from "unitvec"');
+}
+
+/** @param {unknown} by @returns {Codec} */
+function named(by) {
+  return codec(typeof by === "object" && by !== null && "id" in by ? /** @type {Codec} */ (by).id : /** @type {string} */ (by));
+}
+
+/**
+ * The name of a value's type. Arrays of other windows and of test runners have their names, too.
+ *
+ * @param {unknown} value
+ */
+function typeOf(value) {
+  if (ArrayBuffer.isView(value)) return Object.prototype.toString.call(value).slice("[object ".length, -1);
+  return value === null ? "null" : Array.isArray(value) ? "Array" : typeof value;
+}
+
+/** A value in a message. @param {unknown} value */
+function shown(value) {
+  return ["string", "number", "bigint", "boolean"].includes(typeof value) ? String(value).slice(0, 40) : typeOf(value);
+}
+
+/**
+ * Checks an array of elements. Gives their number, and portions of them as floats without gaps.
+ *
+ * @param {Elements} elements @param {Codec} by @param {number} offset @param {number} [stride]
+ */
+function floatsOf(elements, by, offset, stride = by.floats) {
+  const type = typeOf(elements);
+  if (type !== "Float32Array" && type !== "Float64Array") {
+    throw new TypeError(`${by.id} encodes a Float32Array or Float64Array, not ${type}; new Float32Array(…) makes it so`);
+  }
+  if (!Number.isSafeInteger(offset) || offset < 0 || offset > elements.length) {
+    throw new RangeError(`offset is a place in the array, from 0 to ${elements.length}, not ${shown(offset)}`);
+  }
+  if (!Number.isSafeInteger(stride) || stride < by.floats) {
+    throw new RangeError(`stride is a number of floats from ${by.floats} on, those of ${by.element}, not ${shown(stride)}`);
+  }
+  const rest = (elements.length - offset) % stride;
+  if (rest > 0 && rest < by.floats) {
+    throw new RangeError(`the array ends within an element: ${by.id} encodes ${by.element} of ${by.floats} numbers; ${rest} are left`);
+  }
+  const count = Math.floor((elements.length - offset) / stride) + (rest > 0 ? 1 : 0);
+  /** @param {number} first @param {number} count */
+  const portion = (first, count) => {
+    const packed = pack(elements, offset + first * stride, stride, by.floats, count);
+    return type === "Float32Array" ? /** @type {Float32Array} */ (packed) : native.round(by.id, /** @type {Float64Array} */ (packed));
+  };
+  return { count, portion };
+}
+
+/**
+ * Elements without the gaps between them.
+ *
+ * @param {Elements} from @param {number} begin @param {number} stride @param {number} width @param {number} count
+ */
+function pack(from, begin, stride, width, count) {
+  if (stride === width) return from.subarray(begin, begin + count * width);
+  const packed = from.slice(0, 0) instanceof Float32Array ? new Float32Array(count * width) : new Float64Array(count * width);
+  for (let i = 0; i < count; i++) {
+    for (let c = 0; c < width; c++) packed[i * width + c] = from[begin + i * stride + c];
+  }
+  return packed;
+}
+
+/**
+ * An array to write to, and the one that is to be filled: mostly the same.
+ *
+ * @template {Codes | Float32Array} T
+ * @param {unknown} out @param {new (length: number) => T} ArrayType @param {number} length @param {ArrayBufferView} source
+ * @returns {[T, T]}
+ */
+function output(out, ArrayType, length, source) {
+  if (out === undefined) {
+    const made = new ArrayType(length);
+    return [made, made];
+  }
+  const given = /** @type {T} */ (out);
+  if (typeOf(out) !== ArrayType.name) throw new TypeError(`out is a ${ArrayType.name} of ${length}, not ${typeOf(out)}`);
+  if (given.length !== length) throw new RangeError(`out has ${given.length} numbers; it needs ${length}`);
+  return [given.buffer === source.buffer ? new ArrayType(length) : given, given];
+}
+
+/**
+ * @template {Codes | Float32Array} T
+ * @param {T} written @param {T} result
+ */
+function filled(written, result) {
+  // Both are of one type.
+  if (written !== result) result.set(/** @type {any} */ (written));
+  return result;
+}
+
+/** @param {number} total @param {(first: number, count: number) => void} each */
+function inPortions(total, each) {
+  // An empty array is checked like any other.
+  for (let first = 0; first === 0 || first < total; first += PORTION) each(first, Math.min(PORTION, total - first));
+}
+
+/** @param {ArrayBufferView} integers */
+function bytesOf(integers) {
+  return new Uint8Array(integers.buffer, integers.byteOffset, integers.byteLength);
+}
