@@ -9,15 +9,16 @@ const here = (name) => new URL(name, import.meta.url);
 const packed = (id, bytes) =>
   `<script type="application/gzip" id="data-${id}">${gzipSync(bytes, { level: 9 }).toString("base64")}</script>`;
 
-const bundle = async (entry, define = {}) => {
-  const options = { entryPoints: [here(entry).pathname], bundle: true, minify: true, write: false, format: "esm", target: "es2022", define };
+const bundle = async (entry, more = {}) => {
+  const options = { entryPoints: [here(entry).pathname], bundle: true, minify: true, write: false, format: "esm", target: "es2022", ...more };
   return (await build(options)).outputFiles[0].text;
 };
 const parts = [];
 for (const name of (await readdir(data)).sort()) parts.push(packed(name.replace(".json", ""), await readFile(`${data}/${name}`)));
 parts.push(packed("wasm", await readFile(here("../npm/dist/unitvec.wasm"))));
-const worker = JSON.stringify(await bundle("worker.js"));
-const script = (await bundle("main.js", { WORKER: worker })).replaceAll("</script", "<\\/script");
+// From a file, browsers start no worker that is a module. It gets the bytes of the codecs, and needs no address of its own.
+const worker = await bundle("worker.js", { format: "iife", define: { "import.meta.url": '""' } });
+const script = (await bundle("main.js", { define: { WORKER: JSON.stringify(worker) } })).replaceAll("</script", "<\\/script");
 const [page, style] = [await readFile(here("index.html"), "utf8"), await bundle("style.css")];
 const end = `${parts.join("\n")}\n<script type="module">${script}</script>\n</body>`;
 await writeFile(output, page.replace("/* style.css */", () => style).replace("</body>", () => end));

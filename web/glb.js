@@ -35,13 +35,16 @@ export function readGlb(bytes) {
     if (name !== "KHR_mesh_quantization") refuse(`the file needs ${name}, which this page does not read: export it without`);
   }
   const parts = [];
-  let vertices = 0;
+  let [vertices, corners] = [0, 0];
   for (const { mesh, matrix } of placed(json)) {
     for (const primitive of list(list(json.meshes)[mesh]?.primitives)) {
       if ((primitive?.mode ?? TRIANGLES) !== TRIANGLES) continue;
-      const count = list(json.accessors)[primitive.attributes?.POSITION]?.count;
-      vertices += isCount(count) ? count : 0;
-      if (vertices > MOST_VERTICES) refuse(`the file has more than ${MOST_VERTICES / 1e6} million vertices: simplify it first`);
+      const countOf = (accessor) => list(json.accessors)[accessor]?.count || 0;
+      vertices += countOf(primitive.attributes?.POSITION);
+      corners += countOf(primitive.indices);
+      if (vertices > MOST_VERTICES || corners > 6 * MOST_VERTICES) {
+        refuse(`the file has more than ${MOST_VERTICES / 1e6} million vertices, or twice as many triangles: simplify it first`);
+      }
       parts.push(part(json, bin, primitive, matrix));
     }
   }

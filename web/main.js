@@ -62,7 +62,7 @@ function tell(text) {
   $("message").hidden = !text;
 }
 
-const worker = new Worker(URL.createObjectURL(new Blob([WORKER], { type: "text/javascript" })), { type: "module" });
+const worker = new Worker(URL.createObjectURL(new Blob([WORKER], { type: "text/javascript" })));
 const asked = new Map();
 worker.onmessage = ({ data: { id, result, reason } }) => {
   const [resolve, reject] = asked.get(id);
@@ -70,6 +70,7 @@ worker.onmessage = ({ data: { id, result, reason } }) => {
   if (reason) reject(Error(reason));
   else resolve(result);
 };
+worker.onerror = ({ message }) => tell(`The codecs cannot start: ${message ?? "this browser runs no worker here"}`);
 let questions = 0;
 // The worker's answer: words of codes for "encode", angles in degrees for "error".
 function ask(question) {

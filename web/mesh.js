@@ -1,6 +1,6 @@
 // The object that the page begins with, and what it adds to meshes from files.
 
-const SIDE = 88;
+const SIDE = 32;
 
 // A pebble: the star r(d) d over the unit sphere, r = 1 + h, with normals by the gradient of the polynomial h: r d - (g - (g.d) d).
 export function pebble() {

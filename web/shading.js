@@ -23,8 +23,7 @@ fn heat(t: f32) -> vec3f {
 }
 
 fn mirror(n: vec3f, e: vec3f) -> vec3f {
-    let rim: f32 = pow(1.0 - clamp(dot(n, e), 0.0, 1.0), 4.0);
-    return sky(reflect(-e, n)) * mix(vec3f(0.92, 0.93, 0.95), vec3f(1.0), rim);
+    return sky(reflect(-e, n)) * vec3f(0.92, 0.93, 0.95);
 }
 
 fn gloss(n: vec3f, e: vec3f) -> vec3f {
@@ -58,9 +57,6 @@ const asGlsl = (wgsl) =>
     .replace(/\bvec([234])f\b/g, "vec$1")
     .replace(/\bf32\b/g, "float");
 
-// What a pixel shows of the normal n, by the name in the address.
-const SHOWN = { mirror: "mirror(n, e)", gloss: "gloss(n, e)", error: "mirror(n, e)" };
-
 // Statements that make `back`, the coded normal, in words of either language, and the way from there to the normal.
 function glue({ id, bits, frame, hemisphere, dither, at }, isWgsl) {
   const [vec3, vec4, uvec2] = isWgsl ? ["vec3f", "vec4f", "vec2u"] : ["vec3", "vec4", "uvec2"];
@@ -82,8 +78,9 @@ function ending(codec, { declared, made, turned }, how, isWgsl) {
   return `${isWgsl ? "var n = plain;" : "vec3 n = plain;"}
     ${codec.at === "vertex" ? "" : declared}
     if (pixel.x >= ${how}.x) { ${coded} n = normalize(${turned}); }
-    ${isWgsl ? "var colour" : "vec3 light"} = pow(${SHOWN[codec.show]}, ${isWgsl ? "vec3f" : "vec3"}(1.0 / 2.2));
-    ${codec.show === "error" ? `if (pixel.x >= ${how}.x) { ${isWgsl ? "colour" : "light"} = error(n, plain, ${how}.y); }` : ""}`;
+    // Nearly the curve of sRGB.
+    ${isWgsl ? "var" : "vec3"} light = sqrt(${codec.show === "gloss" ? "gloss(n, e)" : "mirror(n, e)"});
+    ${codec.show === "error" ? `if (pixel.x >= ${how}.x) { light = error(n, plain, ${how}.y); }` : ""}`;
 }
 
 // Shaders of WebGPU: positions, normals and codes at locations 0 to 2.
@@ -105,7 +102,7 @@ struct Between { @builtin(position) pixel: vec4f, @location(0) place: vec3f, @lo
     let pixel = v.pixel;
     ${inVertex ? "let back = v.back;" : ""}
     ${ending(codec, glued, "view.how", true)}
-    return vec4f(colour, 1.0);
+    return vec4f(light, 1.0);
 }`;
 }
 

@@ -4,15 +4,22 @@ import { multiplied } from "./glb.js";
 
 const FOV = 0.62;
 const MOST_PIXELS = 2_500_000;
+// Radians a millisecond.
 const TURN = 0.00025;
+const LEAST_QUALITY = 0.4;
 
 // Runs the viewer on a `gpu`. `state` has yaw, pitch, distance, split, turn and show, which it reads, and writes when the user moves.
 export function startStage(gpu, canvas, split, state, changed) {
-  let [isDue, isReady, before] = [false, false, 0];
+  let [isDue, isReady, before, quality] = [false, false, 0, 1];
   const frame = (now) => {
     isDue = false;
-    if (state.turn && !pointers.size) state.yaw += Math.min(now - before, 50) * TURN;
+    const took = now - before;
     before = now;
+    const moves = state.turn || pointers.size > 0;
+    if (state.turn && !pointers.size) state.yaw += Math.min(took, 50) * TURN;
+    // Slow devices get fewer pixels while the picture moves, and all of them when it rests.
+    quality = moves ? Math.min(Math.max(quality * (took > 40 ? 0.93 : took < 20 ? 1.02 : 1), LEAST_QUALITY), 1) : 1;
+    resize();
     draw();
     if (state.turn) due();
   };
@@ -29,11 +36,12 @@ export function startStage(gpu, canvas, split, state, changed) {
   };
   const resize = () => {
     const { width, height } = canvas.getBoundingClientRect();
-    const ratio = Math.min(devicePixelRatio, 2, Math.sqrt(MOST_PIXELS / (width * height)));
-    [canvas.width, canvas.height] = [width, height].map((side) => Math.max(1, Math.round(side * ratio)));
-    due();
+    const ratio = Math.min(devicePixelRatio, 2, Math.sqrt(MOST_PIXELS / (width * height))) * (Math.round(quality * 10) / 10);
+    const [columns, lines] = [width, height].map((side) => Math.max(1, Math.round(side * ratio)));
+    if (canvas.width !== columns) canvas.width = columns;
+    if (canvas.height !== lines) canvas.height = lines;
   };
-  new ResizeObserver(resize).observe(canvas);
+  new ResizeObserver(due).observe(canvas);
 
   const move = (yaw, pitch, closer = 1) => {
     state.yaw += yaw;
@@ -60,7 +68,11 @@ export function startStage(gpu, canvas, split, state, changed) {
     if (pointers.size > 1) move(0, 0, spread() / (apart || 1) || 1);
     else move((from.x - to.x) * 0.008, (to.y - from.y) * 0.008);
   });
-  for (const name of ["pointerup", "pointercancel"]) canvas.addEventListener(name, (event) => pointers.delete(event.pointerId));
+  const release = ({ pointerId }) => {
+    pointers.delete(pointerId);
+    due();
+  };
+  for (const name of ["pointerup", "pointercancel"]) canvas.addEventListener(name, release);
   canvas.addEventListener("wheel", (event) => { event.preventDefault(); move(0, 0, Math.exp(-event.deltaY * 0.0012)); }, { passive: false });
   onKeys(canvas, { ArrowLeft: () => move(0.1, 0), ArrowRight: () => move(-0.1, 0), ArrowUp: () => move(0, 0.1), ArrowDown: () => move(0, -0.1), "+": () => move(0, 0, 1.1), "=": () => move(0, 0, 1.1), "-": () => move(0, 0, 1 / 1.1) });
 
@@ -81,7 +93,7 @@ export function startStage(gpu, canvas, split, state, changed) {
   });
   const step = (by) => () => { setSplit(state.split + by); changed(); };
   onKeys(split, { ArrowLeft: step(-0.02), ArrowDown: step(-0.02), ArrowRight: step(0.02), ArrowUp: step(0.02), PageDown: step(-0.1), PageUp: step(0.1), Home: step(-1), End: step(1) });
-  for (const query of ["(prefers-color-scheme: dark)"]) matchMedia(query).addEventListener("change", due);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", due);
   document.addEventListener("visibilitychange", due);
 
   return { due, setSplit, ready: (is) => { isReady = is; due(); }, drawNow: draw };

@@ -77,6 +77,11 @@ export function startWebGl(canvas) {
       gl.bindVertexArray(objects.array);
       gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 0);
     },
-    finish: async () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)),
+    // Resolves when all is drawn.
+    async finish() {
+      const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+      gl.flush();
+      while (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) await new Promise((resolve) => setTimeout(resolve));
+    },
   };
 }

@@ -4,7 +4,7 @@
 import { PNG } from "pngjs";
 import puppeteer from "puppeteer-core";
 
-const PAGE = new URL("../../target/web/index.html", import.meta.url);
+export const PAGE = new URL("../../target/web/index.html", import.meta.url);
 // Chromium's own renderers for machines without a GPU.
 const ARGS = ["--no-sandbox", "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 // Without Vulkan's compositor SwiftShader loses a WebGPU device when it meets a canvas.
@@ -25,7 +25,8 @@ export async function open(browser, state = {}, { width = 1280, height = 800, fe
   page.on("pageerror", (reason) => complaints.push(reason.message));
   await page.setViewport({ width, height });
   await page.emulateMediaFeatures(features);
-  await page.goto(`${PAGE}#${new URLSearchParams({ turn: "0", ...state })}`);
+  const given = Object.entries({ turn: "0", ...state }).filter(([, value]) => value !== null);
+  await page.goto(`${PAGE}#${new URLSearchParams(given)}`);
   await page.waitForFunction("window.page");
   return Object.assign(page, { requests, complaints });
 }
