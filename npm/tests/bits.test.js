@@ -14,7 +14,7 @@ import test from "node:test";
 import * as unitvec from "unitvec/core";
 import { inputs } from "./common.js";
 
-const { UNITVEC_PROGRAM: PROGRAM, UNITVEC_COUNT: COUNT = "16384", UNITVEC_WASM: WASM } = process.env;
+const { UNITVEC_PROGRAM: PROGRAM, UNITVEC_COUNT: COUNT = "4096", UNITVEC_WASM: WASM } = process.env;
 const VECTORS = new URL("../../vectors/", import.meta.url);
 
 await unitvec.load(readFileSync(WASM ?? new URL("../dist/unitvec.wasm", import.meta.url)));

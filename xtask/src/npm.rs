@@ -1,11 +1,14 @@
 //! The npm package as users get it: built with and without wide instructions, packed, installed into an empty folder under
-//! `target/npm`, and tested beside the program `unitvec`, in several versions of Node.js and in Chromium.
+//! `target/npm-package`, and tested beside the program `unitvec`, in several versions of Node.js and in Chromium.
 
 use crate::drivers::debian::CHROMIUM;
 use crate::{at, cache, cargo, emptied, program, repository, run as run_command, setup, take, target};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
+
+/// Its folder in that of cargo.
+const FOLDER: &str = "npm-package";
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
@@ -30,7 +33,7 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
     }
     let folder = repository().join("npm");
     install(&folder)?;
-    let narrow = emptied(cache("npm")?.join("narrow"))?;
+    let narrow = emptied(cache(FOLDER)?.join("narrow"))?;
     for (instructions, dist) in [("-simd128", &narrow), (WIDE, &emptied(folder.join("dist"))?)] {
         build(instructions, dist)?;
     }
@@ -64,7 +67,7 @@ fn install(folder: &Path) -> Result<(), String> {
 /// Packs the package, installs the archive into an empty folder, and runs the tests on it.
 fn test(folder: &Path, narrow: &Path, all: bool) -> Result<(), String> {
     let unitvec = program()?;
-    let empty = emptied(cache("npm")?.join("installed"))?;
+    let empty = emptied(cache(FOLDER)?.join("installed"))?;
     run_command(npm(folder).args(["pack", "--silent", "--pack-destination"]).arg(&empty))?;
     let archive = empty.join(format!("unitvec-{}.tgz", env!("CARGO_PKG_VERSION")));
     fs::write(empty.join("package.json"), "{}").map_err(at(&empty))?;
