@@ -8,7 +8,7 @@ import { startStage } from "./stage.js";
 import { startWebGl } from "./webgl.js";
 import { startWebGpu } from "./webgpu.js";
 
-// Titles of the families that a page of many needs; others are named by themselves.
+// Titles of families in the list; a family without one goes by its own name.
 const TITLES = {
   oct: "Octahedral", oct_wide: "Octahedral", uoct: "Octahedral, unsigned", eaoct: "Octahedral, equal area", soct: "Octahedral, sign apart",
   hemioct: "Octahedral, half sphere", ico: "Icosahedral", hexcube: "Hexagons on a cube", fib: "Fibonacci's spiral", cube: "Cube",
@@ -20,8 +20,13 @@ const TITLES = {
 const $ = (id) => document.getElementById(id);
 const [panel, view] = [$("panel").elements, $("view").elements];
 const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
-const state = { codec: "oct16p", dither: 0, at: "pixel", show: "mirror", split: 0.5, turn: isStill ? 0 : 1, gpu: 2, language: "glsl", yaw: 0.5, pitch: 0.35, distance: 3.4, api: "" };
-const first = { ...state };
+// What the address keeps: `at` is where codes are stored, `split` the part of floats, angles are in radians, `distance` is in radii of the
+// object, `gpu` a place in the list, and `api` is "webgl" to leave WebGPU out.
+const first = {
+  codec: "oct16p", dither: 0, at: "pixel", show: "mirror", split: 0.5, turn: isStill ? 0 : 1, gpu: 2, language: "glsl",
+  yaw: 0.5, pitch: 0.35, distance: 3.15, api: "",
+};
+const state = { ...first };
 
 const significant = (x) => (x === 0 ? "0" : x >= 0.001 ? String(Number(x.toPrecision(3))) : x.toExponential(2).replace("e-", "e−"));
 const degrees = (x) => `${significant(x)}°`;
@@ -144,7 +149,7 @@ function showCodec() {
   $("bytes").textContent = one.bits % 8 ? `${one.bits} bits` : `${one.bytes} byte${one.bytes > 1 ? "s" : ""}`;
   const uses = one.uses.length ? `Recommended — ${one.uses.join("; ")}` : (TITLES[one.family] ?? one.family);
   const half = one.hemisphere ? ", for z ≥ 0: here about the view" : "";
-  $("use").textContent = `${uses}${half}${one.format ? ` · ${one.format}` : ""}`;
+  $("use").textContent = `${uses}${half}${one.format ? ` ·\u00a0${one.format}` : ""}`;
   document.querySelector(".tag.right").textContent = one.id + (state.dither ? ", dithered" : "");
 }
 

@@ -96,6 +96,8 @@ export function startStage(gpu, canvas, split, state, changed) {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", due);
   document.addEventListener("visibilitychange", due);
 
+  // An address may say anything.
+  move(0, 0);
   return { due, setSplit, ready: (is) => { isReady = is; due(); }, drawNow: draw };
 }
 

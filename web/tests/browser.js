@@ -1,10 +1,11 @@
-// Opens the page of `target/web` in headless Chromium: the file that UNITVEC_CHROMIUM names, with the libraries of
+// Opens the page, target/web/index.html or the file of UNITVEC_PAGE, in headless Chromium: the file that UNITVEC_CHROMIUM names, with the libraries of
 // UNITVEC_CHROMIUM_LIBRARIES.
 
+import { pathToFileURL } from "node:url";
 import { PNG } from "pngjs";
 import puppeteer from "puppeteer-core";
 
-export const PAGE = new URL("../../target/web/index.html", import.meta.url);
+export const PAGE = pathToFileURL(process.env.UNITVEC_PAGE ?? new URL("../../target/web/index.html", import.meta.url).pathname);
 // Chromium's own renderers for machines without a GPU.
 const ARGS = ["--no-sandbox", "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 // Without Vulkan's compositor SwiftShader loses a WebGPU device when it meets a canvas.

@@ -1,4 +1,4 @@
-//! `cargo xtask`: set-up, conform, test, spirv, shaders, examples, processors, windows, interop, python, npm, renew, packages
+//! `cargo xtask`: set-up, conform, test, spirv, shaders, examples, processors, windows, interop, python, npm, web, renew, packages
 //! and dist, each ending in a clear verdict.
 //!
 //! No dependencies, so that it starts at once on a fresh machine.
@@ -16,6 +16,7 @@ mod renew;
 mod setup;
 #[cfg(test)]
 mod tests;
+mod web;
 mod windows;
 
 use std::path::{Path, PathBuf};
@@ -46,6 +47,7 @@ fn main() -> ExitCode {
         "interop" => interop::run(rest),
         "python" => python::run(rest),
         "npm" => npm::run(rest),
+        "web" => web::run(rest),
         "renew" => renew::run(rest),
         "dist" => dist::run(rest),
         "packages" => setup::run().and_then(|()| packages::run()),

@@ -55,7 +55,7 @@ fn build(instructions: &str, dist: &Path) -> Result<(), String> {
 }
 
 /// Installs what tests and types need, unless it is there.
-fn install(folder: &Path) -> Result<(), String> {
+pub fn install(folder: &Path) -> Result<(), String> {
     let time = |file: &str| fs::metadata(folder.join(file)).and_then(|data| data.modified()).ok();
     // npm writes this file last.
     if time("node_modules/.package-lock.json") > time("package-lock.json") {
@@ -93,7 +93,7 @@ fn test(folder: &Path, narrow: &Path, all: bool) -> Result<(), String> {
 }
 
 /// The variables by which tests find Chromium; none where there is none.
-fn chromium() -> Result<Vec<(&'static str, PathBuf)>, String> {
+pub fn chromium() -> Result<Vec<(&'static str, PathBuf)>, String> {
     let cache = cache("drivers")?;
     match CHROMIUM.fetch(&cache) {
         Ok(()) => {

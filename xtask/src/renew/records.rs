@@ -7,7 +7,7 @@
 use super::state::matches;
 use crate::{
     built, cache, cargo, conform, drivers, integration, interop, languages, npm, processors, program, python,
-    repository, run, shaders, spirv, windows, write,
+    repository, run, shaders, spirv, web, windows, write,
 };
 use std::ffi::OsString;
 use std::fs;
@@ -399,6 +399,23 @@ pub static RECORDS: &[Record] = &[
         minutes: 4,
         needs: "Debian 12 on amd64, npm and Chromium, which it fetches, and rustup",
         renew: || npm::run(&[]),
+        ..RUN
+    },
+    Record {
+        name: "web",
+        outputs: &[Bytes("docs/web/*")],
+        from: "the page of `web/`, its tests in Chromium, and pictures of it",
+        inputs: &[
+            CODECS,
+            &[
+                Code("web/*.js web/build.mjs web/tests/* npm/src/*.rs npm/unitvec/core.js"),
+                Code("host/choose/examples/page.rs shaders/glsl-es/* shaders/wgsl/*"),
+                Bytes("web/index.html web/style.css web/package-lock.json host/choose/data/costs_*"),
+            ],
+        ],
+        minutes: 4,
+        needs: "Debian 12 on amd64, npm and Chromium, which it fetches, and rustup",
+        renew: || web::run(&["--record".to_owned()]),
         ..RUN
     },
     Record {
