@@ -13,6 +13,7 @@ import { tmpdir } from "node:os";
 import { extname, join } from "node:path";
 import test from "node:test";
 import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
 import { NodeIO } from "@gltf-transform/core";
 import { build } from "esbuild";
 import puppeteer from "puppeteer-core";
@@ -35,24 +36,44 @@ test("README's lines run as installed", { skip: !INSTALLED && "UNITVEC_INSTALLED
   assert.equal(execFileSync(process.execPath, ["readme.mjs"], { cwd: INSTALLED, encoding: "utf8" }), PRINTED);
 });
 
-test("all of Chromium's bits are Node's, and README's lines run unbundled", { skip: !(CHROMIUM && INSTALLED) && "UNITVEC_CHROMIUM is not set" }, async () => {
-  await inChromium(async (page, printed) => {
-    assert.equal(printed.join("\n") + "\n", PRINTED);
-    const expected = await digests(unitvec, Number(COUNT));
-    for (const module of ["/node_modules/unitvec/dist/unitvec.wasm", ...(NARROW ? ["/narrow/unitvec.wasm"] : [])]) {
-      await page.reload();
-      const found = await page.evaluate(
-        async (module, count) => {
-          const [unitvec, { digests }] = await Promise.all([import("unitvec/core"), import("/tests/common.js")]);
-          await unitvec.load(module);
-          return digests(unitvec, count);
-        },
-        module,
-        Number(COUNT),
-      );
-      assert.deepEqual(found, expected, module);
-    }
-  });
+test(
+  "all of Chromium's bits are Node's, and README's lines run unbundled",
+  { skip: !(CHROMIUM && INSTALLED) && "UNITVEC_CHROMIUM is not set" },
+  async () => {
+    await inChromium(async (page, printed) => {
+      assert.equal(printed.join("\n") + "\n", PRINTED);
+      const expected = await digests(unitvec, Number(COUNT));
+      for (const module of ["/node_modules/unitvec/dist/unitvec.wasm", ...(NARROW ? ["/narrow/unitvec.wasm"] : [])]) {
+        await page.reload();
+        const found = await page.evaluate(
+          async (module, count) => {
+            const [unitvec, { digests }] = await Promise.all([import("unitvec/core"), import("/tests/common.js")]);
+            await unitvec.load(module);
+            return digests(unitvec, count);
+          },
+          module,
+          Number(COUNT),
+        );
+        assert.deepEqual(found, expected, module);
+      }
+    });
+  },
+);
+
+test("a worker of Chromium", { skip: !(CHROMIUM && INSTALLED) && "UNITVEC_CHROMIUM is not set" }, async () => {
+  const code = await inChromium((page) =>
+    page.evaluate(() => {
+      const from = `${location.origin}/node_modules/unitvec/unitvec/web.js`;
+      const script = `import { encode } from "${from}"; postMessage(encode(new Float32Array([0, 0, -1]), "oct32p")[0]);`;
+      const url = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
+      return new Promise((resolve) => (new Worker(url, { type: "module" }).onmessage = ({ data }) => resolve(data)));
+    }),
+  );
+  assert.equal(code, unitvec.encode(new Float32Array([0, 0, -1]), "oct32p")[0]);
+});
+
+test("the module is under 200 kB, as servers compress it", () => {
+  assert.ok(gzipSync(readFileSync(join(HERE, "../dist/unitvec.wasm"))).length < 200_000);
 });
 
 /** Opens a page with README's lines, and runs a test there. */
@@ -77,7 +98,7 @@ async function inChromium(run) {
     await opened.goto(`http://127.0.0.1:${server.address().port}/index`);
     await opened.addScriptTag({ type: "module", content: `${EXAMPLE}\nglobalThis.isDone = true;` });
     await opened.waitForFunction("globalThis.isDone", { timeout: 60_000 });
-    await run(opened, printed);
+    return await run(opened, printed);
   } finally {
     await browser.close();
     server.close();
@@ -85,7 +106,12 @@ async function inChromium(run) {
 }
 
 test("texts have every function, once where they are merged", () => {
-  for (const [texts, declaration] of [[wgsl, /^fn (\w+)/gm], [exactWgsl, /^fn (\w+)/gm], [es, /^(?:u?int|float|u?vec\d|\w+) (\w+)\(.*\{/gm], [exactEs, /^(?:u?int|float|u?vec\d|\w+) (\w+)\(.*\{/gm]]) {
+  for (const [texts, declaration] of [
+    [wgsl, /^fn (\w+)/gm],
+    [exactWgsl, /^fn (\w+)/gm],
+    [es, /^(?:u?int|float|u?vec\d|\w+) (\w+)\(.*\{/gm],
+    [exactEs, /^(?:u?int|float|u?vec\d|\w+) (\w+)\(.*\{/gm],
+  ]) {
     const { merge, ...others } = texts;
     for (const codec of unitvec.codecs().filter((codec) => codec.id in others)) {
       const names = [...others[codec.id].matchAll(declaration)].map((found) => found[1]);
@@ -99,8 +125,17 @@ test("texts have every function, once where they are merged", () => {
 });
 
 test("texts are those of the program", { skip: !PROGRAM && "UNITVEC_PROGRAM is not set" }, () => {
-  const code = (text) => text.replace(/^\/\/.*$/gm, "").replace(/\s+/g, " ").trim();
-  for (const [texts, ...options] of [[wgsl, "wgsl"], [exactWgsl, "wgsl", "--exact"], [es, "glsl-es"], [exactEs, "glsl-es", "--exact"]]) {
+  const code = (text) =>
+    text
+      .replace(/^\/\/.*$/gm, "")
+      .replace(/\s+/g, " ")
+      .trim();
+  for (const [texts, ...options] of [
+    [wgsl, "wgsl"],
+    [exactWgsl, "wgsl", "--exact"],
+    [es, "glsl-es"],
+    [exactEs, "glsl-es", "--exact"],
+  ]) {
     for (const id of ["oct16p", "oct32p", "frame32", "ico24"]) {
       const text = execFileSync(PROGRAM, ["shader", "--codec", id, "--language", ...options], { encoding: "utf8" });
       assert.equal(code(texts[id]), code(text), `${options} ${id}`);

@@ -125,7 +125,7 @@ export function choose(maxErrorDeg, { element = "vectors", domain = "sphere" } =
     const finest = Math.min(...found.map((c) => c.maxDeg));
     throw new RangeError(`no codec of ${element} is within ${shown(maxErrorDeg)} degrees; the finest reaches ${finest}`);
   }
-  return fits.reduce((a, b) => (b.bytes - a.bytes || b.meanDeg - a.meanDeg) < 0 ? b : a);
+  return fits.reduce((a, b) => ((b.bytes - a.bytes || b.meanDeg - a.meanDeg) < 0 ? b : a));
 }
 
 /**
@@ -269,13 +269,17 @@ function floatsOf(elements, by, offset, stride = by.floats) {
   }
   const rest = (elements.length - offset) % stride;
   if (rest > 0 && rest < by.floats) {
-    throw new RangeError(`the array ends within an element: ${by.id} encodes ${by.element} of ${by.floats} numbers; ${rest} are left`);
+    throw new RangeError(
+      `the array ends within an element: ${by.id} encodes ${by.element} of ${by.floats} numbers; ${rest} are left`,
+    );
   }
   const count = Math.floor((elements.length - offset) / stride) + (rest > 0 ? 1 : 0);
   /** @param {number} first @param {number} count */
   const portion = (first, count) => {
     const packed = pack(elements, offset + first * stride, stride, by.floats, count);
-    return type === "Float32Array" ? /** @type {Float32Array} */ (packed) : native.round(by.id, /** @type {Float64Array} */ (packed));
+    return type === "Float32Array"
+      ? /** @type {Float32Array} */ (packed)
+      : native.round(by.id, /** @type {Float64Array} */ (packed));
   };
   return { count, portion };
 }
