@@ -14,8 +14,8 @@ const [SLICES] = process.argv.slice(2);
 const COUNT = 1 << 20;
 const vectors = (floats) => Float32Array.from({ length: COUNT * floats }, (_, i) => ((i * 0.618034) % 1) - 0.5);
 
-/** The least time of each of two functions, in ns a vector, in turn. */
-function least(...functions) {
+/** The least time of each of two functions, in ns a vector, in turn; and their ratios to the slices. */
+function print(name, of, ...functions) {
   const times = functions.map(() => Infinity);
   for (let turn = 0; turn < 5; turn++) {
     functions.forEach((run, i) => {
@@ -24,7 +24,8 @@ function least(...functions) {
       times[i] = Math.min(times[i], ((performance.now() - started) * 1e6) / COUNT);
     });
   }
-  return times;
+  const slices = SLICES ? execFileSync(SLICES, [of, COUNT], { encoding: "utf8" }).split(" ").map(Number) : [];
+  console.log([name, ...times.map((time) => time.toFixed(2)), ...slices.map((time, i) => (times[i] / time).toFixed(1))].join(","));
 }
 
 function encodeByHand(v, codes) {
@@ -42,31 +43,15 @@ function decodeByHand(codes, v) {
     const z = 1 - Math.abs(x) - Math.abs(y);
     if (z < 0) [x, y] = [x + (x < 0 ? -z : z), y + (y < 0 ? -z : z)];
     const scale = 1 / Math.sqrt(x * x + y * y + z * z);
-    v[3 * i] = x * scale;
-    v[3 * i + 1] = y * scale;
-    v[3 * i + 2] = z * scale;
+    [v[3 * i], v[3 * i + 1], v[3 * i + 2]] = [x * scale, y * scale, z * scale];
   }
 }
-
-const print = (name, times, of) => {
-  const ratios = of ? times.map((time, i) => (time / of[i]).toFixed(1)) : [];
-  console.log([name, ...times.map((time) => time.toFixed(2)), ...ratios].join(","));
-};
 
 console.log("codec,encode ns,decode ns,encode / Rust,decode / Rust");
 for (const name of ["oct16", "oct16p", "oct32", "oct32p", "ico32", "frame32", "fib24"]) {
   const elements = vectors(codec(name).floats);
   const codes = encode(elements, name);
-  const times = least(
-    () => encode(elements, name, { out: codes }),
-    () => decode(codes, name, { out: elements }),
-  );
-  print(name, times, SLICES && execFileSync(SLICES, [name, COUNT], { encoding: "utf8" }).split(" ").map(Number));
+  print(name, name, () => encode(elements, name, { out: codes }), () => decode(codes, name, { out: elements }));
 }
-const elements = vectors(3);
-const codes = new Uint16Array(COUNT);
-const times = least(
-  () => encodeByHand(elements, codes),
-  () => decodeByHand(codes, elements),
-);
-print("oct16 by hand", times, SLICES && execFileSync(SLICES, ["oct16", COUNT], { encoding: "utf8" }).split(" ").map(Number));
+const [elements, codes] = [vectors(3), new Uint16Array(COUNT)];
+print("oct16 by hand", "oct16", () => encodeByHand(elements, codes), () => decodeByHand(codes, elements));

@@ -36,16 +36,6 @@ test("lengths and types of every codec, and its bounds", () => {
   }
 });
 
-test("errors are angles", () => {
-  const decoded = decode(encode(NORMALS, "oct16p"), "oct16p");
-  const errors = error(NORMALS, "oct16p");
-  for (let i = 0; i < 64; i++) {
-    const [a, b] = [NORMALS, decoded].map((array) => Array.from(array.subarray(3 * i, 3 * i + 3)));
-    const cosine = a.reduce((sum, c, k) => sum + c * b[k], 0) / Math.hypot(...a) / Math.hypot(...b);
-    assert.ok(Math.abs(errors[i] - (Math.acos(cosine) * 180) / Math.PI) < 1e-5);
-  }
-});
-
 test("interleaved, doubles, portions and out give the same codes", () => {
   const many = elements(codec("oct24p"), 40_000);
   const codes = encode(many, "oct24p");
