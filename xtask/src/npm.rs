@@ -33,14 +33,18 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
     }
     let folder = repository().join("npm");
     install(&folder)?;
-    let narrow = emptied(cache(FOLDER)?.join("narrow"))?;
-    for (instructions, dist) in [("-simd128", &narrow), (WIDE, &emptied(folder.join("dist"))?)] {
-        build(instructions, dist)?;
+    build(WIDE, &emptied(folder.join("dist"))?)?;
+    // npm packs no links, and nothing from outside the folder.
+    for licence in ["LICENSE-APACHE", "LICENSE-MIT"] {
+        let to = folder.join("dist").join(licence);
+        fs::copy(repository().join(licence), &to).map_err(at(&to))?;
     }
     run_command(npm(&folder).args(["run", "--silent", "types"]))?;
     if build_alone {
         return Ok(());
     }
+    let narrow = emptied(cache(FOLDER)?.join("narrow"))?;
+    build("-simd128", &narrow)?;
     test(&folder, &narrow, all)
 }
 
