@@ -3,7 +3,7 @@
 const MAGIC = 0x46546c67;
 const JSON_CHUNK = 0x4e4f534a;
 const BIN_CHUNK = 0x004e4942;
-const MOST_BYTES = 512 * 2 ** 20;
+export const MOST_BYTES = 512 * 2 ** 20;
 const MOST_VERTICES = 4_000_000;
 const MOST_NODES = 100_000;
 const TRIANGLES = 4;
@@ -29,7 +29,6 @@ const list = (x) => (Array.isArray(x) ? x : []);
 
 // The floats of all triangles in the scene: `places`, `indices` and, where every part has them, `normals`.
 export function readGlb(bytes) {
-  if (bytes.byteLength > MOST_BYTES) refuse(`the file has ${Math.round(bytes.byteLength / 2 ** 20)} MiB; this page takes 512 at most`);
   const { json, bin } = chunks(bytes);
   for (const name of list(json.extensionsRequired)) {
     if (name !== "KHR_mesh_quantization") refuse(`the file needs ${name}, which this page does not read: export it without`);

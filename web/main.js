@@ -1,7 +1,7 @@
 // The page: its state, which the address keeps, and its controls.
 
 import { LANGUAGES, json, textOf, unpacked } from "./code.js";
-import { GlbError, readGlb } from "./glb.js";
+import { GlbError, MOST_BYTES, readGlb } from "./glb.js";
 import { frames, pebble, whole } from "./mesh.js";
 import { GRADIENT, drawSphere } from "./sphere.js";
 import { startStage } from "./stage.js";
@@ -32,7 +32,8 @@ const significant = (x) => (x === 0 ? "0" : x >= 0.001 ? String(Number(x.toPreci
 const degrees = (x) => `${significant(x)}°`;
 const seriesOf = ({ id }) => id.replace(/\d+/, "…");
 
-let [facts, gpu, stage, mesh, own] = [];
+// The data of the codecs, what draws, the object that is chosen and the one that the GPU has, and the name of its file.
+let [facts, gpu, stage, mesh, drawn, own] = [];
 let work = Promise.resolve();
 
 const codec = () => facts.codecs.find(({ id }) => id === state.codec);
@@ -93,16 +94,17 @@ const place = (one) => (places(one).includes(state.at) ? state.at : places(one)[
 const floats = (one, normals) => (one.frame ? frames(normals) : normals);
 
 // Shows the state on the GPU; one change after the other.
-function render(isNewMesh) {
+function render() {
   work = work.then(async () => {
-    const one = codec();
+    const [one, object] = [codec(), mesh];
     const at = place(one);
     const dither = Boolean(state.dither);
     try {
       const library = await textOf(gpu.name === "WebGPU" ? "wgsl" : "glsl-es", one, dither);
-      const words = at === "vertex" ? await ask({ what: "encode", codec: one.id, elements: floats(one, mesh.normals) }) : null;
+      const words = at === "vertex" ? await ask({ what: "encode", codec: one.id, elements: floats(one, object.normals) }) : null;
       await gpu.setCodec(library, { ...one, dither, at, show: state.show });
-      if (isNewMesh) gpu.setMesh(mesh);
+      if (drawn !== object) gpu.setMesh(object);
+      drawn = object;
       gpu.setCodes(words);
       state.scale = 180 / Math.PI / one.errors[0][1];
       stage.ready(true);
@@ -138,7 +140,6 @@ function showCodec() {
     item.className = width === one ? "chosen" : "";
     return item;
   }));
-  $("widths").classList.toggle("single", widths.length === 1);
   panel.dither.disabled = !one.dither;
   state.dither = one.dither ? state.dither : 0;
   panel.dither.checked = Boolean(state.dither);
@@ -189,7 +190,7 @@ async function showText() {
 }
 
 let [factsWork, isAsked] = [null, false];
-// The facts of the codec that is chosen by the time that those of an earlier one are there.
+// Shows the facts of the chosen codec once those of earlier ones are there; what was chosen between is left out.
 async function refreshFacts() {
   isAsked = true;
   factsWork ??= (async () => {
@@ -202,19 +203,18 @@ async function refreshFacts() {
   return factsWork;
 }
 
-function change(isNewMesh = false) {
+function change() {
   showCodec();
   showText();
-  render(isNewMesh);
+  render();
   refreshFacts();
   keepAddress();
 }
 
 async function openFile(file) {
   try {
-    const bytes = new Uint8Array(file.size > 2 ** 30 ? 0 : await file.arrayBuffer());
-    if (file.size > 2 ** 30) throw new GlbError("the file has more than a GiB; this page takes 512 MiB at most");
-    mesh = whole(readGlb(bytes));
+    if (file.size > MOST_BYTES) throw new GlbError(`the file has ${file.size} bytes; this page takes ${MOST_BYTES} at most`);
+    mesh = whole(readGlb(new Uint8Array(await file.arrayBuffer())));
     own = file.name;
     tell("");
     say(`${file.name}: ${(mesh.places.length / 3).toLocaleString("en")} vertices`);
@@ -229,7 +229,7 @@ const say = (text) => ($("said").textContent = text);
 function show(isOwn) {
   $("reset").hidden = !isOwn;
   state.distance = first.distance;
-  change(true);
+  change();
 }
 
 function listen() {
@@ -251,7 +251,10 @@ function listen() {
   });
   for (const form of [$("panel"), $("view")]) form.addEventListener("submit", (event) => event.preventDefault());
   $("copy").addEventListener("click", async () => {
-    await navigator.clipboard.writeText($("text").textContent).then(() => say("Copied"), () => getSelection().selectAllChildren($("text")));
+    // A page from a file may have no clipboard but that of its selection.
+    getSelection().selectAllChildren($("text"));
+    if (!document.execCommand("copy")) await navigator.clipboard?.writeText($("text").textContent);
+    say("Copied");
     $("copy").textContent = "Copied";
     setTimeout(() => ($("copy").textContent = "Copy"), 1500);
   });
@@ -304,9 +307,9 @@ async function start() {
   listen();
   mesh = pebble();
   await codecs;
-  change(true);
+  change();
   await work;
-  // For tests and for who looks: what the page shows.
+  // For tests.
   window.page = { state, gpu, stage, settled: () => Promise.all([work, factsWork]) };
 }
 

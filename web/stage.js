@@ -74,7 +74,9 @@ export function startStage(gpu, canvas, split, state, changed) {
   };
   for (const name of ["pointerup", "pointercancel"]) canvas.addEventListener(name, release);
   canvas.addEventListener("wheel", (event) => { event.preventDefault(); move(0, 0, Math.exp(-event.deltaY * 0.0012)); }, { passive: false });
-  onKeys(canvas, { ArrowLeft: () => move(0.1, 0), ArrowRight: () => move(-0.1, 0), ArrowUp: () => move(0, 0.1), ArrowDown: () => move(0, -0.1), "+": () => move(0, 0, 1.1), "=": () => move(0, 0, 1.1), "-": () => move(0, 0, 1 / 1.1) });
+  const by = (...step) => () => move(...step);
+  const arrows = { ArrowLeft: by(0.1, 0), ArrowRight: by(-0.1, 0), ArrowUp: by(0, 0.1), ArrowDown: by(0, -0.1) };
+  onKeys(canvas, { ...arrows, "+": by(0, 0, 1.1), "=": by(0, 0, 1.1), "-": by(0, 0, 1 / 1.1) });
 
   const setSplit = (part) => {
     state.split = Math.min(Math.max(part, 0), 1);
@@ -91,8 +93,9 @@ export function startStage(gpu, canvas, split, state, changed) {
     setSplit((event.clientX - left) / width);
     changed();
   });
-  const step = (by) => () => { setSplit(state.split + by); changed(); };
-  onKeys(split, { ArrowLeft: step(-0.02), ArrowDown: step(-0.02), ArrowRight: step(0.02), ArrowUp: step(0.02), PageDown: step(-0.1), PageUp: step(0.1), Home: step(-1), End: step(1) });
+  const step = (part) => () => { setSplit(state.split + part); changed(); };
+  const small = { ArrowLeft: step(-0.02), ArrowDown: step(-0.02), ArrowRight: step(0.02), ArrowUp: step(0.02) };
+  onKeys(split, { ...small, PageDown: step(-0.1), PageUp: step(0.1), Home: step(-1), End: step(1) });
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", due);
   document.addEventListener("visibilitychange", due);
 
