@@ -39,13 +39,13 @@ const back = decode(codes, "${id}");
 // Names of the languages, by the keys of texts and calls.
 export const LANGUAGES = {
   glsl: "GLSL",
-  "glsl-es": "GLSL ES (WebGL 2)",
+  "glsl-es": "GLSL ES",
   hlsl: "HLSL",
-  wgsl: "WGSL (WebGPU)",
+  wgsl: "WGSL",
   msl: "Metal",
   slang: "Slang",
   godot: "Godot",
-  cpp: "C++, CUDA, HIP",
+  cpp: "C++, CUDA",
   Rust: "Rust",
   Python: "Python",
   JavaScript: "JavaScript",
