@@ -408,7 +408,7 @@ pub static RECORDS: &[Record] = &[
         inputs: &[
             CODECS,
             &[
-                Code("web/*.js web/build.mjs web/tests/* npm/src/*.rs npm/unitvec/core.js"),
+                Code("web/*js npm/src/*.rs npm/unitvec/core.js"),
                 Code("host/choose/examples/page.rs shaders/glsl-es/* shaders/wgsl/*"),
                 Bytes("web/index.html web/style.css web/package-lock.json host/choose/data/costs_*"),
             ],
