@@ -35,7 +35,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // Modules for Bevy are WGSL with other heads.
     let is_shown = |language: &Language| !matches!(language, Language::NagaOil | Language::Wesl);
     for language in Language::ALL.into_iter().filter(is_shown) {
-        let texts = texts(language, &codecs, &dithered)?;
+        let texts = texts(language, codecs, &dithered)?;
         std::fs::write(folder.join(format!("{}.json", language.id())), serde_json::to_vec(&texts)?)?;
     }
     Ok(())
