@@ -1,8 +1,11 @@
-//! Needs of callers from other languages: doubles, and processes that fork.
+//! Needs of callers from other languages: doubles, codes as integers of the machine, errors of arrays, and processes that fork.
 
-use crate::{Element, has_direction};
+use crate::cpu::resized;
+use crate::{AnyCodec, Element, Measure, Null, has_direction};
+use std::borrow::Cow;
 use std::process;
 use std::sync::atomic::{AtomicU32, Ordering};
+use unitvec::slice::{LengthMismatch, expect_length};
 
 impl Element {
     /// Rounds elements of doubles to floats. A part whose direction floats would not hold is divided by its largest component
@@ -29,6 +32,157 @@ fn round_part((from, to): (&[f64], &mut [f32])) {
     let largest = from.iter().fold(0.0, |largest: f64, component| largest.max(component.abs()));
     if largest > 0.0 && largest.is_finite() {
         to.iter_mut().zip(from).for_each(|(to, from)| *to = (from / largest) as f32);
+    }
+}
+
+impl AnyCodec {
+    /// Bytes of the smallest integer that holds a code: 1, 2, 4 or 8.
+    pub const fn integer_bytes(&self) -> usize {
+        self.bytes.next_power_of_two()
+    }
+
+    /// Encodes elements to little-endian integers of [`integer_bytes`](Self::integer_bytes) each, on the calling thread. Their
+    /// bits above the codes are 0. With a null code, vectors without a usable direction get it.
+    ///
+    /// ```
+    /// let codec = unitvec_catalogue::find("oct24p")?;
+    /// let mut integers = [0xff; 4];
+    /// codec.encode_integers(&[0.0, 0.0, 0.0], &mut integers, Some(codec.null()?))?;
+    /// assert_eq!(u64::from(u32::from_le_bytes(integers)), codec.null()?.code);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The slices hold different numbers of elements.
+    pub fn encode_integers(
+        &self,
+        elements: &[f32],
+        integers: &mut [u8],
+        null: Option<Null<'_>>,
+    ) -> Result<(), LengthMismatch> {
+        self.fill_integers(integers, |codes| {
+            self.encode_here(elements, codes)?;
+            null.map_or(Ok(0), |null| null.put(elements, codes)).map(drop)
+        })
+    }
+
+    /// Fills integers, as [`encode_integers`](Self::encode_integers) does, with the packed codes that `encode` writes.
+    ///
+    /// # Errors
+    /// Those of `encode`.
+    pub fn fill_integers(
+        &self,
+        integers: &mut [u8],
+        encode: impl FnOnce(&mut [u8]) -> Result<(), LengthMismatch>,
+    ) -> Result<(), LengthMismatch> {
+        let size = self.integer_bytes();
+        if size == self.bytes {
+            return encode(integers);
+        }
+        let mut codes = vec![0; integers.len() / size * self.bytes];
+        encode(&mut codes)?;
+        integers.fill(0);
+        copy_each((&codes, self.bytes), (integers, size));
+        Ok(())
+    }
+
+    /// The first of some little-endian integers that is no code: one with a bit above [`bits`](Self::bits).
+    pub fn first_beyond(&self, integers: &[u8]) -> Option<u64> {
+        let size = self.integer_bytes();
+        if self.bits == 8 * size as u32 {
+            return None;
+        }
+        let number = |integer: &[u8]| integer.iter().rev().fold(0, |sum, byte| sum << 8 | u64::from(*byte));
+        integers.chunks_exact(size).map(number).find(|integer| integer >> self.bits > 0)
+    }
+
+    /// Decodes integers as [`encode_integers`](Self::encode_integers) makes them, on the calling thread. With a null code, its
+    /// vectors become zeros.
+    ///
+    /// # Errors
+    /// The slices hold different numbers of elements.
+    pub fn decode_integers(
+        &self,
+        integers: &[u8],
+        elements: &mut [f32],
+        null: Option<Null<'_>>,
+    ) -> Result<(), LengthMismatch> {
+        let codes = self.packed(integers);
+        self.decode_here(&codes, elements)?;
+        null.map_or(Ok(()), |null| null.clear(&codes, elements))
+    }
+
+    /// The packed codes of integers.
+    pub fn packed<'a>(&self, integers: &'a [u8]) -> Cow<'a, [u8]> {
+        let size = self.integer_bytes();
+        if size == self.bytes {
+            return Cow::Borrowed(integers);
+        }
+        let mut codes = vec![0; integers.len() / size * self.bytes];
+        copy_each((integers, size), (&mut codes, self.bytes));
+        Cow::Owned(codes)
+    }
+
+    /// The error of each part of each element after encoding and decoding, as [`measure`](Self::measure) defines it; NaN where
+    /// there is none.
+    ///
+    /// # Errors
+    /// There are not as many errors as parts.
+    pub fn errors(&self, elements: &[f32], errors: &mut [f64]) -> Result<(), LengthMismatch> {
+        let (width, parts) = (self.element.floats(), self.element.directions().len());
+        let mut codes = vec![0; elements.len() / width * self.bytes];
+        let mut decoded = vec![0.0; elements.len()];
+        expect_length(elements.len() / width * parts, errors.len())?;
+        self.encode_here(elements, &mut codes)?;
+        self.decode_here(&codes, &mut decoded)?;
+        let pairs = elements.chunks_exact(width).zip(decoded.chunks_exact(width));
+        for ((original, decoded), errors) in pairs.zip(errors.chunks_exact_mut(parts)) {
+            for (part, error) in errors.iter_mut().enumerate() {
+                let measured = self.measure().error_of_part(self.element, part, original, decoded);
+                *error = measured.unwrap_or(f64::NAN);
+            }
+        }
+        Ok(())
+    }
+}
+
+impl AnyCodec {
+    /// True where it keeps directions, so that [`snapped`](Self::snapped) has something to move.
+    pub fn keeps_directions(&self) -> bool {
+        self.element != Element::Rotation && self.measure() == Measure::Angle
+    }
+
+    /// An element with its directions moved to those that it is decoded to or, of a format, to those that the format's own software
+    /// encodes alike. What has no usable direction stays, and so do tangents of such normals and all else. `N` is as in
+    /// [`encode_one`](Self::encode_one).
+    pub fn snapped<const N: usize>(&self, element: [f32; N]) -> [f32; N] {
+        let to = match (self.format(), element.first_chunk::<3>()) {
+            (Some(format), Some(vector)) => resized(format.snap(*vector)),
+            _ => self.decode_one::<N>(self.encode_one(element)),
+        };
+        let mut snapped = element;
+        let parts = snapped.chunks_exact_mut(3).zip(to.chunks_exact(3)).take(self.element.directions().len());
+        for (part, to) in parts {
+            if !has_direction(part) {
+                break;
+            }
+            part.copy_from_slice(to);
+        }
+        snapped
+    }
+}
+
+/// Copies the first bytes of each value to those of another array, whose values are of another size.
+fn copy_each((from, from_size): (&[u8], usize), (to, to_size): (&mut [u8], usize)) {
+    let copy = |size, to: &mut [u8]| {
+        let pairs = from.chunks_exact(from_size).zip(to.chunks_exact_mut(to_size));
+        pairs.for_each(|(from, to)| to[..size].copy_from_slice(&from[..size]));
+    };
+    // Copies of known size are single instructions.
+    match from_size.min(to_size) {
+        3 => copy(3, to),
+        6 => copy(6, to),
+        size => copy(size, to),
     }
 }
 

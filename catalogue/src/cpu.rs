@@ -1,5 +1,6 @@
 //! The CPU functions of a codec, as pointers: all codecs have the same type.
 
+use crate::RECOMMENDED;
 use std::sync::OnceLock;
 use unitvec::best_fit::{EncodeByTable, TABLE_WORDS, fill_table};
 use unitvec::codec::RawCode;
@@ -7,7 +8,7 @@ use unitvec::interop::{Format, FrameFormat, RotationFormat};
 use unitvec::slice::machine::Level;
 use unitvec::slice::{
     DecodeAt, EncodeAt, LengthMismatch, decode_frames_at, decode_rotations_at, decode_slice_at,
-    encode_frames_at, encode_rotations_at, encode_slice_at, encode_slice_with,
+    encode_frames_at, encode_rotations_at, encode_slice_at, encode_slice_with, expect_length,
 };
 use unitvec::{Codec, Frame, FrameCodec, RotationCodec};
 
@@ -35,15 +36,71 @@ pub enum AnyFunctions {
 }
 
 impl Functions<3> {
-    pub const fn of_vectors<C: Codec>() -> Self {
+    /// The functions of the codec of this identifier.
+    pub const fn of_vectors<C: Codec>(id: &str) -> Self {
+        let (encode, decode): (EncodeAt<[f32; 3]>, DecodeAt<[f32; 3]>) = match has_blocks(id) {
+            true => (encode_slice_at::<C>, decode_slice_at::<C>),
+            false => (encode_each::<C>, decode_each::<C>),
+        };
         Self {
-            encode_one: |v| C::encode(v).to_words(),
-            decode_one: |code| C::decode(C::Code::from_words(code)),
-            encode_at: encode_slice_at::<C>,
-            decode_at: decode_slice_at::<C>,
-            encode: encode_slice_at::<C>,
+            encode_one: encode_one::<C>,
+            decode_one: decode_one::<C>,
+            encode_at: encode,
+            decode_at: decode,
+            encode,
         }
     }
+}
+
+/// True where slices are encoded and decoded in blocks, by wide instructions. With the feature `compact` those of recommended
+/// codecs are.
+const fn has_blocks(id: &str) -> bool {
+    let (mut use_, mut choice) = (0, 0);
+    while cfg!(feature = "compact") && use_ < RECOMMENDED.len() {
+        let choices = RECOMMENDED[use_].choices;
+        if choice == choices.len() {
+            (use_, choice) = (use_ + 1, 0);
+        } else if is_same(choices[choice].id, id) {
+            return true;
+        } else {
+            choice += 1;
+        }
+    }
+    !cfg!(feature = "compact")
+}
+
+const fn is_same(a: &str, b: &str) -> bool {
+    let (a, b) = (a.as_bytes(), b.as_bytes());
+    let mut i = 0;
+    while i < a.len() && i < b.len() && a[i] == b[i] {
+        i += 1;
+    }
+    i == a.len() && i == b.len()
+}
+
+#[inline(never)]
+fn encode_one<C: Codec>(vector: [f32; 3]) -> [u32; 2] {
+    C::encode(vector).to_words()
+}
+
+#[inline(never)]
+fn decode_one<C: Codec>(code: [u32; 2]) -> [f32; 3] {
+    C::decode(C::Code::from_words(code))
+}
+
+/// Encodes a slice by [`encode_one`].
+fn encode_each<C: Codec>(_: Level, vectors: &[[f32; 3]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+    encode_slice_with::<C>(vectors, codes, |vector| C::Code::from_words(encode_one::<C>(vector)))
+}
+
+/// Decodes a slice by [`decode_one`].
+fn decode_each<C: Codec>(_: Level, codes: &[u8], vectors: &mut [[f32; 3]]) -> Result<(), LengthMismatch> {
+    expect_length(vectors.len() * C::BYTES, codes.len())?;
+    for (code, vector) in codes.chunks_exact(C::BYTES).zip(vectors) {
+        let code = code.iter().rev().fold(0, |code, byte| code << 8 | u64::from(*byte));
+        *vector = decode_one::<C>([code as u32, (code >> 32) as u32]);
+    }
+    Ok(())
 }
 
 impl Functions<7> {

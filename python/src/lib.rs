@@ -103,36 +103,34 @@ mod _native {
         [codecs.collect(), formats().iter().map(|format| format.id).collect()]
     }
 
-    /// Encodes elements to codes in `item` bytes each.
+    /// Encodes elements to integers.
     #[pyfunction]
     fn encode(
         py: Python<'_>,
         name: &str,
         elements: Elements<'_>,
         mut codes: PyReadwriteArray1<'_, u8>,
-        item: usize,
         options: Options<'_>,
     ) -> PyResult<()> {
         let codec = find(name)?;
         let manner = manner(codec, &options)?;
         let (floats, codes) = (elements.floats()?, codes.as_slice_mut()?);
-        py.detach(|| portions::encode(codec, floats, (codes, item), &manner)).map_err(invalid)
+        py.detach(|| portions::encode(codec, floats, codes, &manner)).map_err(invalid)
     }
 
-    /// Decodes codes of `item` bytes each.
+    /// Decodes integers.
     #[pyfunction]
     fn decode(
         py: Python<'_>,
         name: &str,
         codes: PyReadonlyArray1<'_, u8>,
-        item: usize,
         mut elements: PyReadwriteArray1<'_, f32>,
         options: Options<'_>,
     ) -> PyResult<()> {
         let codec = find(name)?;
         let manner = manner(codec, &options)?;
         let (codes, elements) = (codes.as_slice()?, elements.as_slice_mut()?);
-        py.detach(|| portions::decode(codec, (codes, item), elements, &manner)).map_err(invalid)
+        py.detach(|| portions::decode(codec, codes, elements, &manner)).map_err(invalid)
     }
 
     /// The offsets of dithered codes, two floats each: by numbers, of `width` 1, by pixels, of 2, or by positions, of 3.

@@ -10,7 +10,7 @@ use unitvec_catalogue::{AnyCodec, Dither, Element, Null, has_threads};
 const PORTION: usize = 1 << 17;
 
 /// The only error: arrays of different lengths, which `__init__.py` never passes.
-type Result = std::result::Result<(), Box<dyn std::error::Error + Send + Sync>>;
+type Result = std::result::Result<(), unitvec_catalogue::LengthMismatch>;
 
 /// Floats of elements, without gaps.
 #[derive(Clone, Copy)]
@@ -91,88 +91,36 @@ impl Pool {
     }
 }
 
-/// Encodes elements to little-endian codes in `item` bytes each.
-pub fn encode(
-    codec: &AnyCodec,
-    floats: Floats<'_>,
-    (codes, item): (&mut [u8], usize),
-    manner: &Manner<'_>,
-) -> Result {
-    manner.pool.run(codes, PORTION * item, |index, codes| {
+/// Encodes elements to little-endian integers.
+pub fn encode(codec: &AnyCodec, floats: Floats<'_>, integers: &mut [u8], manner: &Manner<'_>) -> Result {
+    manner.pool.run(integers, PORTION * codec.integer_bytes(), |index, integers| {
         let floats = floats.portion(codec.element, index);
-        let encode = |codes: &mut [u8]| {
+        codec.fill_integers(integers, |codes| {
             match manner.dither(index) {
                 Some((dither, offsets)) => dither.encode(&floats, offsets, codes)?,
                 None => codec.encode_here(&floats, codes)?,
             }
             manner.null.map_or(Ok(0), |null| null.put(&floats, codes)).map(drop)
-        };
-        if item == codec.bytes {
-            return Ok(encode(codes)?);
-        }
-        let mut packed = vec![0; codes.len() / item * codec.bytes];
-        encode(&mut packed)?;
-        codes.fill(0);
-        copy_each((&packed, codec.bytes), (codes, item));
-        Ok(())
+        })
     })
 }
 
-/// Decodes little-endian codes in `item` bytes each.
-pub fn decode(
-    codec: &AnyCodec,
-    (codes, item): (&[u8], usize),
-    elements: &mut [f32],
-    manner: &Manner<'_>,
-) -> Result {
+/// Decodes little-endian integers.
+pub fn decode(codec: &AnyCodec, integers: &[u8], elements: &mut [f32], manner: &Manner<'_>) -> Result {
     manner.pool.run(elements, PORTION * codec.element.floats(), |index, elements| {
-        let codes = codes.chunks(PORTION * item).nth(index).unwrap_or_default();
-        let packed = match item == codec.bytes {
-            true => Cow::Borrowed(codes),
-            false => {
-                let mut packed = vec![0; codes.len() / item * codec.bytes];
-                copy_each((codes, item), (&mut packed, codec.bytes));
-                Cow::Owned(packed)
-            }
-        };
+        let integers = integers.chunks(PORTION * codec.integer_bytes()).nth(index).unwrap_or_default();
+        let codes = codec.packed(integers);
         match manner.dither(index) {
-            Some((dither, offsets)) => dither.decode(&packed, offsets, elements)?,
-            None => codec.decode_here(&packed, elements)?,
+            Some((dither, offsets)) => dither.decode(&codes, offsets, elements)?,
+            None => codec.decode_here(&codes, elements)?,
         }
-        Ok(manner.null.map_or(Ok(()), |null| null.clear(&packed, elements))?)
+        manner.null.map_or(Ok(()), |null| null.clear(&codes, elements))
     })
-}
-
-/// Copies the first bytes of each value to those of another array, whose values are of another size.
-fn copy_each((from, from_size): (&[u8], usize), (to, to_size): (&mut [u8], usize)) {
-    let copy = |size, to: &mut [u8]| {
-        let pairs = from.chunks_exact(from_size).zip(to.chunks_exact_mut(to_size));
-        pairs.for_each(|(from, to)| to[..size].copy_from_slice(&from[..size]));
-    };
-    // Copies of known size are single instructions.
-    match from_size.min(to_size) {
-        3 => copy(3, to),
-        6 => copy(6, to),
-        size => copy(size, to),
-    }
 }
 
 /// The error of each part of each element.
 pub fn error(codec: &AnyCodec, floats: Floats<'_>, errors: &mut [f64], pool: &Pool) -> Result {
-    let (width, parts) = (codec.element.floats(), codec.element.directions().len());
-    pool.run(errors, PORTION * parts, |index, errors| {
-        let floats = floats.portion(codec.element, index);
-        let mut codes = vec![0; floats.len() / width * codec.bytes];
-        let mut decoded = vec![0.0; floats.len()];
-        codec.encode_here(&floats, &mut codes)?;
-        codec.decode_here(&codes, &mut decoded)?;
-        let elements = floats.chunks_exact(width).zip(decoded.chunks_exact(width));
-        for ((original, decoded), errors) in elements.zip(errors.chunks_exact_mut(parts)) {
-            for (part, error) in errors.iter_mut().enumerate() {
-                let measured = codec.measure().error_of_part(codec.element, part, original, decoded);
-                *error = measured.unwrap_or(f64::NAN);
-            }
-        }
-        Ok(())
+    pool.run(errors, PORTION * codec.element.directions().len(), |index, errors| {
+        codec.errors(&floats.portion(codec.element, index), errors)
     })
 }

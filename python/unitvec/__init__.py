@@ -55,7 +55,7 @@ class Codec(NamedTuple):
     @property
     def dtype(self) -> np.dtype[Any]:
         """The type of an array of codes: the smallest unsigned integers that hold one."""
-        return np.dtype(f"u{_item(self)}")
+        return np.dtype(f"u{1 << (self.bytes - 1).bit_length()}")
 
 
 def codec(name: str) -> Codec:
@@ -140,7 +140,7 @@ def encode(
     flat, shape = _flat(elements, by)
     target, result = _output(out, shape, by.dtype, flat)
     options = (bool(null), _offsets(dither, shape), _threads(threads))
-    _native.encode(by.id, flat, _bytes(target), _item(by), options)
+    _native.encode(by.id, flat, _bytes(target), options)
     return _filled(target, result)
 
 
@@ -171,7 +171,7 @@ def decode(
     flat = np.require(codes, by.dtype, ["C", "A"]).reshape(-1)
     target, result = _output(out, (*codes.shape, by.floats), np.dtype(np.float32), flat)
     options = (bool(null), _offsets(dither, codes.shape), _threads(threads))
-    _native.decode(by.id, _bytes(flat), _item(by), target, options)
+    _native.decode(by.id, _bytes(flat), target, options)
     return _filled(target, result)
 
 
@@ -193,11 +193,6 @@ def error(elements: Any, codec: str, *, threads: int | None = None) -> np.ndarra
 
 def _named(name: Any) -> Codec:
     return name if isinstance(name, Codec) else codec(name)
-
-
-def _item(by: Codec) -> int:
-    """Bytes of the integer that holds a code."""
-    return 1 << (by.bytes - 1).bit_length()
 
 
 def _array(values: Any) -> np.ndarray:

@@ -1,5 +1,5 @@
-//! `cargo xtask`: set-up, conform, test, spirv, shaders, examples, processors, windows, interop, python, renew, packages and
-//! dist, each ending in a clear verdict.
+//! `cargo xtask`: set-up, conform, test, spirv, shaders, examples, processors, windows, interop, python, npm, web, renew, packages
+//! and dist, each ending in a clear verdict.
 //!
 //! No dependencies, so that it starts at once on a fresh machine.
 
@@ -8,6 +8,7 @@ mod drivers;
 mod examples;
 mod interop;
 mod languages;
+mod npm;
 mod packages;
 mod processors;
 mod python;
@@ -15,6 +16,7 @@ mod renew;
 mod setup;
 #[cfg(test)]
 mod tests;
+mod web;
 mod windows;
 
 use std::path::{Path, PathBuf};
@@ -44,6 +46,8 @@ fn main() -> ExitCode {
         "windows" => windows::run(rest),
         "interop" => interop::run(rest),
         "python" => python::run(rest),
+        "npm" => npm::run(rest),
+        "web" => web::run(rest),
         "renew" => renew::run(rest),
         "dist" => dist::run(rest),
         "packages" => setup::run().and_then(|()| packages::run()),
@@ -169,6 +173,8 @@ fn test(arguments: &[String]) -> Result<(), String> {
         "--exclude=unitvec-language-tests",
         "--exclude=unitvec-example-wgpu",
         "--exclude=unitvec-python",
+        "--exclude=unitvec-wasm",
+        "--exclude=xtask-npm",
     ];
     let all = || {
         let mut command = cargo(&["test", "--workspace"]);

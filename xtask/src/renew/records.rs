@@ -6,8 +6,8 @@
 
 use super::state::matches;
 use crate::{
-    built, cache, cargo, conform, drivers, integration, interop, languages, processors, program, python,
-    repository, run, shaders, spirv, windows, write,
+    built, cache, cargo, conform, drivers, integration, interop, languages, npm, processors, program, python,
+    repository, run, shaders, spirv, web, windows, write,
 };
 use std::ffi::OsString;
 use std::fs;
@@ -382,6 +382,41 @@ pub static RECORDS: &[Record] = &[
         minutes: 4,
         needs: "Linux, Python 3.9 or newer, and packages of PyPI, which it fetches",
         renew: || python::run(&[]),
+        ..RUN
+    },
+    Record {
+        name: "npm",
+        from: "the npm package from its archive, its tests, and the program beside it: a run that leaves no file",
+        inputs: &[
+            CODECS,
+            &[
+                Code("catalogue/src/*.rs npm/src/*.rs xtask/npm/src/*.rs"),
+                Code("npm/unitvec/*.js npm/tests/*.js shaders/glsl-es/* shaders/wgsl/*"),
+                Bytes(
+                    "npm/Cargo.toml npm/package-lock.json npm/package.json npm/README.md npm/tsconfig.json",
+                ),
+            ],
+        ],
+        minutes: 4,
+        needs: "Debian 12 on amd64, npm and Chromium, which it fetches, and rustup",
+        renew: || npm::run(&[]),
+        ..RUN
+    },
+    Record {
+        name: "web",
+        outputs: &[Bytes("docs/web/*")],
+        from: "the page of `web/`, its tests in Chromium, and pictures of it",
+        inputs: &[
+            CODECS,
+            &[
+                Code("web/*js npm/src/*.rs npm/unitvec/core.js"),
+                Code("host/choose/examples/page.rs shaders/glsl-es/* shaders/wgsl/*"),
+                Bytes("web/index.html web/style.css web/package-lock.json host/choose/data/costs_*"),
+            ],
+        ],
+        minutes: 4,
+        needs: "Debian 12 on amd64, npm and Chromium, which it fetches, and rustup",
+        renew: || web::run(&["--record".to_owned()]),
         ..RUN
     },
     Record {
