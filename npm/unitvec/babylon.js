@@ -4,12 +4,11 @@
  */
 import { VertexBuffer } from "@babylonjs/core/Buffers/buffer.js";
 import { MaterialPluginBase } from "@babylonjs/core/Materials/materialPluginBase.js";
-import { attributeName, checkCodes, glslText, isFrame, joined, STORED } from "./codes.js";
+import { attributeName, checkCodes, CODECS, components, glslText, isFrame, joined, STORED } from "./codes.js";
 
 /** @typedef {import("./codes.js").AttributeCodec} AttributeCodec */
 
 const NAME = "UnitvecCodes";
-const CODECS = /** @type {AttributeCodec[]} */ (Object.keys(STORED));
 
 /**
  * Gives a mesh or a geometry codes in place of its normals, and of its tangents for frames.
@@ -143,19 +142,16 @@ export function registerCodes(register) {
  * @param {AttributeCodec} codec
  */
 async function decoded(loaded, loader, primitive, codec) {
-  const { attribute, array, type } = STORED[codec];
+  const { attribute, array } = STORED[codec];
   const accessor = loader.gltf.accessors[primitive.attributes[attribute]];
   const [mesh, parts] = await Promise.all([
     loaded,
     loader._loadAccessorAsync(`/accessors/${accessor.index}`, accessor, array),
   ]);
   const source = mesh.sourceMesh ?? mesh;
-  const size = type === "SCALAR" ? 1 : Number(type.slice(3));
-  setCodes(
-    source,
-    joined((i, c) => parts[i * size + c], accessor.count, codec),
-    codec,
-  );
+  const size = components(codec);
+  const component = (/** @type {number} */ i, /** @type {number} */ c) => parts[i * size + c];
+  setCodes(source, joined(component, accessor.count, codec), codec);
   if (source.material) useCodes(source.material, codec);
   return mesh;
 }

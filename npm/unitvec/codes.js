@@ -24,6 +24,9 @@ export const STORED = {
   frame32: { attribute: "_FRAME32", type: "VEC2", array: Uint16Array },
 };
 
+/** The codecs that vertex attributes can hold. */
+export const CODECS = /** @type {AttributeCodec[]} */ (Object.keys(STORED));
+
 /** Name of a codec's attribute in shaders: three.js makes it from the file's in the same way. */
 export const attributeName = (/** @type {AttributeCodec} */ codec) => row(codec).attribute.toLowerCase();
 
@@ -33,7 +36,7 @@ export const isFrame = (/** @type {AttributeCodec} */ codec) => codec === "frame
 /** A codec's row of `STORED`. Throws a RangeError for other codecs. */
 export function row(/** @type {AttributeCodec} */ codec) {
   if (!Object.hasOwn(STORED, codec)) {
-    throw new RangeError(`vertex attributes hold the codecs ${Object.keys(STORED).join(", ")}, not "${codec}"`);
+    throw new RangeError(`vertex attributes hold the codecs ${CODECS.join(", ")}, not "${codec}"`);
   }
   return STORED[codec];
 }
@@ -79,7 +82,7 @@ export function checkCodes(codes, codec) {
 }
 
 /** How many integers an element has in a file. */
-const components = (/** @type {AttributeCodec} */ codec) => ({ SCALAR: 1, VEC2: 2, VEC3: 3 })[row(codec).type];
+export const components = (/** @type {AttributeCodec} */ codec) => ({ SCALAR: 1, VEC2: 2, VEC3: 3 })[row(codec).type];
 
 /**
  * Text in GLSL ES of the functions that shaders call: `normal_of_code` and, for frames, `tangent_of_code`, whose w is

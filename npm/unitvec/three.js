@@ -3,7 +3,7 @@
  * @module
  */
 import { BufferAttribute, IntType } from "three";
-import { attributeName, checkCodes, glslText, isFrame, joined, STORED } from "./codes.js";
+import { attributeName, checkCodes, CODECS, glslText, isFrame, joined } from "./codes.js";
 
 /** @typedef {import("./codes.js").AttributeCodec} AttributeCodec */
 
@@ -49,6 +49,9 @@ vec3 objectNormal = normal_of_code(${name});
   const earlierKey = customProgramCacheKey.call(material);
   material.onBeforeCompile = (shader, renderer) => {
     onBeforeCompile.call(material, shader, renderer);
+    if (!shader.vertexShader.includes("#include <beginnormal_vertex>")) {
+      throw new Error(`${material.type} has no normals to decode: take a material such as MeshStandardMaterial`);
+    }
     shader.vertexShader = shader.vertexShader
       .replace("#include <common>", `#include <common>\n${library}\nin uint ${name};`)
       .replace("#include <beginnormal_vertex>", normalChunk);
@@ -75,8 +78,8 @@ export function pluginWith(use) {
     name: "unitvec_codes",
     async afterRoot({ scenes }) {
       const materials = new Map();
-      for (const scene of scenes)
-        scene.traverse((/** @type {any} */ mesh) => mesh.isMesh && decodeMesh(mesh, materials, use));
+      const visit = (/** @type {any} */ mesh) => mesh.isMesh && decodeMesh(mesh, materials, use);
+      for (const scene of scenes) scene.traverse(visit);
     },
   });
 }
@@ -87,17 +90,12 @@ export function pluginWith(use) {
  * @param {(material: any, codec: AttributeCodec) => any} use
  */
 function decodeMesh(mesh, materials, use) {
-  const codec = /** @type {AttributeCodec[]} */ (Object.keys(STORED)).find(
-    (id) => attributeName(id) in mesh.geometry.attributes,
-  );
+  const codec = CODECS.find((id) => attributeName(id) in mesh.geometry.attributes);
   if (!codec) return;
   const stored = mesh.geometry.getAttribute(attributeName(codec));
   if (stored !== mesh.geometry.getAttribute("normal")) {
-    setCodes(
-      mesh.geometry,
-      joined((i, c) => stored.getComponent(i, c), stored.count, codec),
-      codec,
-    );
+    const component = (/** @type {number} */ i, /** @type {number} */ c) => stored.getComponent(i, c);
+    setCodes(mesh.geometry, joined(component, stored.count, codec), codec);
   }
   const key = `${mesh.material.uuid} ${codec}`;
   if (!materials.has(key)) materials.set(key, use(repaired(mesh.material.clone(), codec), codec));

@@ -15,10 +15,10 @@ const WIDE: &str = "+simd128";
 /// The version of Node.js in which all inputs are tested; the others are in `package.json`.
 const OTHER_NODES: [&str; 2] = ["node-18", "node-newest"];
 
-/// `cargo xtask npm [--build] [--all]`.
+/// `cargo xtask npm [--build] [--all] [--record]`: the last writes what engines draw to `docs/data/`.
 pub fn run(arguments: &[String]) -> Result<(), String> {
     let mut others = arguments.to_vec();
-    let [build_alone, all] = ["--build", "--all"].map(|option| take(&mut others, option));
+    let [build_alone, all, record] = ["--build", "--all", "--record"].map(|option| take(&mut others, option));
     if let Some(unknown) = others.first() {
         return Err(format!("npm takes no {unknown}"));
     }
@@ -36,7 +36,7 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
     if build_alone {
         return Ok(());
     }
-    test(&folder, &narrow, all)
+    test(&folder, &narrow, all, record)
 }
 
 /// Builds the module for these instructions, and what calls it.
@@ -60,7 +60,7 @@ fn install(folder: &Path) -> Result<(), String> {
 }
 
 /// Packs the package, installs the archive into an empty folder, and runs the tests on it.
-fn test(folder: &Path, narrow: &Path, all: bool) -> Result<(), String> {
+fn test(folder: &Path, narrow: &Path, all: bool, record: bool) -> Result<(), String> {
     let unitvec = program()?;
     let empty = emptied(cache("npm")?.join("installed"))?;
     run_command(npm(folder).args(["pack", "--silent", "--pack-destination"]).arg(&empty))?;
@@ -77,9 +77,18 @@ fn test(folder: &Path, narrow: &Path, all: bool) -> Result<(), String> {
         tests.env("UNITVEC_PROGRAM", &unitvec).env("UNITVEC_NARROW", narrow).env("UNITVEC_INSTALLED", &empty);
         tests.env("UNITVEC_COUNT", if all { "1000000" } else { "16384" });
         tests.envs(chromium.iter().map(|(name, value)| (name, value)));
+        tests.envs(record.then_some(("UNITVEC_RECORD", "1")));
         run_command(&mut tests)?;
     }
     Ok(())
+}
+
+/// Measures GLB files, and what engines take to load them.
+pub fn sizes() -> Result<(), String> {
+    run(&["--build".to_owned()])?;
+    let mut sizes = Command::new("node");
+    sizes.args(["benchmarks/sizes.js", "../docs/data/web_sizes.csv"]).current_dir(repository().join("npm"));
+    run_command(sizes.envs(chromium()?))
 }
 
 /// The variables by which tests find Chromium; none where there is none.
