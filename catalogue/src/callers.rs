@@ -1,6 +1,7 @@
 //! Needs of callers from other languages: doubles, codes as integers of the machine, errors of arrays, and processes that fork.
 
-use crate::{AnyCodec, Element, Null, has_direction};
+use crate::cpu::resized;
+use crate::{AnyCodec, Element, Measure, Null, has_direction};
 use std::borrow::Cow;
 use std::process;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -74,6 +75,16 @@ impl AnyCodec {
         Ok(())
     }
 
+    /// The first of some little-endian integers that is no code: one with a bit above [`bits`](Self::bits).
+    pub fn first_beyond(&self, integers: &[u8]) -> Option<u64> {
+        let size = self.integer_bytes();
+        if self.bits == 8 * size as u32 {
+            return None;
+        }
+        let number = |integer: &[u8]| integer.iter().rev().fold(0, |sum, byte| sum << 8 | u64::from(*byte));
+        integers.chunks_exact(size).map(number).find(|integer| integer >> self.bits > 0)
+    }
+
     /// Decodes integers as [`encode_integers`](Self::encode_integers) makes them, on the calling thread. With a null code, its
     /// vectors become zeros.
     ///
@@ -116,6 +127,32 @@ impl AnyCodec {
             }
         }
         Ok(())
+    }
+}
+
+impl AnyCodec {
+    /// True where it keeps directions, so that [`snapped`](Self::snapped) has something to move.
+    pub fn keeps_directions(&self) -> bool {
+        self.element != Element::Rotation && self.measure() == Measure::Angle
+    }
+
+    /// An element with its directions moved to those that it is decoded to or, of a format, to those that the format's own software
+    /// encodes alike. What has no usable direction stays, and so do tangents of such normals and all else. `N` is as in
+    /// [`encode_one`](Self::encode_one).
+    pub fn snapped<const N: usize>(&self, element: [f32; N]) -> [f32; N] {
+        let to = match (self.format(), element.first_chunk::<3>()) {
+            (Some(format), Some(vector)) => resized(format.snap(*vector)),
+            _ => self.decode_one::<N>(self.encode_one(element)),
+        };
+        let mut snapped = element;
+        let parts = snapped.chunks_exact_mut(3).zip(to.chunks_exact(3)).take(self.element.directions().len());
+        for (part, to) in parts {
+            if !has_direction(part) {
+                break;
+            }
+            part.copy_from_slice(to);
+        }
+        snapped
     }
 }
 

@@ -2,7 +2,7 @@
 //! divides what users pass.
 
 use js_sys::{Array, RangeError};
-use unitvec_catalogue::{AnyCodec, CODECS, Domain, Null, WRAPPED, find_any, formats};
+use unitvec_catalogue::{AnyCodec, CODECS, Domain, Element, Null, WRAPPED, find_any, formats};
 use wasm_bindgen::prelude::*;
 
 type Result<T> = std::result::Result<T, JsValue>;
@@ -82,6 +82,10 @@ pub fn encode(name: &str, elements: &[f32], integers: &mut [u8], null: bool) -> 
 #[wasm_bindgen]
 pub fn decode(name: &str, integers: &[u8], elements: &mut [f32], null: bool) -> Result<()> {
     let codec = find(name)?;
+    if let Some(beyond) = codec.first_beyond(integers) {
+        let (id, bits) = (codec.id, codec.bits);
+        return Err(invalid(format!("{beyond} is no code of {id}, which has {bits} bits")));
+    }
     codec.decode_integers(integers, elements, null_of(codec, null)?).map_err(invalid)
 }
 
@@ -89,4 +93,22 @@ pub fn decode(name: &str, integers: &[u8], elements: &mut [f32], null: bool) -> 
 #[wasm_bindgen]
 pub fn error(name: &str, elements: &[f32], errors: &mut [f64]) -> Result<()> {
     find(name)?.errors(elements, errors).map_err(invalid)
+}
+
+/// Moves elements to those that they are decoded to, where they have directions.
+#[wasm_bindgen]
+pub fn snap(name: &str, elements: &mut [f32]) -> Result<()> {
+    fn each<const N: usize>(codec: &AnyCodec, elements: &mut [f32]) {
+        let elements = elements.chunks_exact_mut(N).filter_map(|element| element.first_chunk_mut::<N>());
+        elements.for_each(|element| *element = codec.snapped(*element));
+    }
+    let codec = find(name)?;
+    if !codec.keeps_directions() {
+        return Err(invalid(format!("{name} is not for directions; take another codec, as oct16p")));
+    }
+    match codec.element {
+        Element::Frame => each::<7>(codec, elements),
+        _ => each::<3>(codec, elements),
+    }
+    Ok(())
 }

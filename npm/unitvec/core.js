@@ -203,6 +203,30 @@ export function error(elements, by, { offset = 0, stride } = {}) {
   return errors;
 }
 
+/**
+ * Moves vectors or frames, in their array, to those that a codec decodes to. A program that then writes the codec's format by plain
+ * rounding, as tools for glTF do, writes the codes that the codec's encoder finds. Elements without a direction stay as they are.
+ *
+ * @template {Elements} T
+ * @param {T} elements As `encode` takes them.
+ * @param {string | Codec} by The codec or format, or its name.
+ * @param {object} [options]
+ * @param {number} [options.offset] As in `encode`.
+ * @param {number} [options.stride] As in `encode`.
+ * @returns {T} The array.
+ * @throws {TypeError | RangeError} As `encode` does, and of codecs of rotations, axes and vectors with a length.
+ */
+export function snap(elements, by, { offset = 0, stride } = {}) {
+  const facts = named(by);
+  const input = floatsOf(elements, facts, offset, stride);
+  inPortions(input.count, (first, count) => {
+    const some = Float32Array.from(input.portion(first, count));
+    native.snap(facts.id, some);
+    unpack(some, elements, offset + first * (stride ?? facts.floats), stride ?? facts.floats, facts.floats);
+  });
+  return elements;
+}
+
 function checkLoaded() {
   if (!isLoaded) throw new Error('unitvec is not loaded: await load(…) first, or import from "unitvec"');
 }
@@ -263,11 +287,20 @@ function floatsOf(elements, by, offset, stride = by.floats) {
  */
 function pack(from, begin, stride, width, count) {
   if (stride === width) return from.subarray(begin, begin + count * width);
-  const packed = from.slice(0, 0) instanceof Float32Array ? new Float32Array(count * width) : new Float64Array(count * width);
+  const packed = typeOf(from) === "Float32Array" ? new Float32Array(count * width) : new Float64Array(count * width);
   for (let i = 0; i < count; i++) {
     for (let c = 0; c < width; c++) packed[i * width + c] = from[begin + i * stride + c];
   }
   return packed;
+}
+
+/**
+ * Writes elements back to their places in an array.
+ *
+ * @param {Float32Array} packed @param {Elements} to @param {number} begin @param {number} stride @param {number} width
+ */
+function unpack(packed, to, begin, stride, width) {
+  for (let i = 0; i < packed.length; i++) to[begin + Math.floor(i / width) * stride + (i % width)] = packed[i];
 }
 
 /**

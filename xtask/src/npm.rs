@@ -1,5 +1,5 @@
 //! The npm package as users get it: built with and without wide instructions, packed, installed into an empty folder under
-//! `target/npm`, and tested beside the program `unitvec`, in several versions of Node.js and in Chromium.
+//! `target/npm-package`, and tested beside the program `unitvec`, in several versions of Node.js and in Chromium.
 
 use crate::drivers::debian::CHROMIUM;
 use crate::{at, cache, cargo, emptied, program, repository, run as run_command, setup, take, target};
@@ -7,12 +7,17 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
+/// Its folder in that of cargo.
+const FOLDER: &str = "npm-package";
+
 const TARGET: &str = "wasm32-unknown-unknown";
 
 /// Instructions on 128 bits, which browsers have had since 2021, Safari since 2023.
 const WIDE: &str = "+simd128";
 
-/// The version of Node.js in which all inputs are tested; the others are in `package.json`.
+const TESTS: [&str; 3] = ["arrays", "bits", "package"];
+
+/// Versions of Node.js beside the one here, by their names in `package.json`.
 const OTHER_NODES: [&str; 2] = ["node-18", "node-newest"];
 
 /// `cargo xtask npm [--build] [--all] [--record]`: the last writes what engines draw to `docs/data/`.
@@ -28,7 +33,7 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
     }
     let folder = repository().join("npm");
     install(&folder)?;
-    let narrow = emptied(cache("npm")?.join("narrow"))?;
+    let narrow = emptied(cache(FOLDER)?.join("narrow"))?;
     for (instructions, dist) in [("-simd128", &narrow), (WIDE, &emptied(folder.join("dist"))?)] {
         build(instructions, dist)?;
     }
@@ -62,25 +67,31 @@ fn install(folder: &Path) -> Result<(), String> {
 /// Packs the package, installs the archive into an empty folder, and runs the tests on it.
 fn test(folder: &Path, narrow: &Path, all: bool, record: bool) -> Result<(), String> {
     let unitvec = program()?;
-    let empty = emptied(cache("npm")?.join("installed"))?;
+    let empty = emptied(cache(FOLDER)?.join("installed"))?;
     run_command(npm(folder).args(["pack", "--silent", "--pack-destination"]).arg(&empty))?;
     let archive = empty.join(format!("unitvec-{}.tgz", env!("CARGO_PKG_VERSION")));
     fs::write(empty.join("package.json"), "{}").map_err(at(&empty))?;
     run_command(npm(&empty).args(["install", "--silent", "--no-audit", "--no-fund"]).arg(archive))?;
 
-    let chromium = chromium()?;
-    let others = OTHER_NODES.map(|name| folder.join("node_modules").join(name).join("bin/node"));
-    for node in [PathBuf::from("node")].iter().chain(&others) {
-        println!("xtask: {}", node.display());
+    let tests = |node: &Path, names: &[&str]| {
+        println!("xtask: {} --test {}", node.display(), names.join(" "));
         let mut tests = Command::new(node);
-        tests.args(["--test", "tests/"]).current_dir(folder);
+        tests
+            .arg("--test")
+            .args(names.iter().map(|name| format!("tests/{name}.test.js")))
+            .current_dir(folder);
         tests.env("UNITVEC_PROGRAM", &unitvec).env("UNITVEC_NARROW", narrow).env("UNITVEC_INSTALLED", &empty);
-        tests.env("UNITVEC_COUNT", if all { "1000000" } else { "16384" });
-        tests.envs(chromium.iter().map(|(name, value)| (name, value)));
-        tests.envs(record.then_some(("UNITVEC_RECORD", "1")));
-        run_command(&mut tests)?;
-    }
-    Ok(())
+        tests.env("UNITVEC_COUNT", if all { "1000000" } else { "4096" });
+        tests
+    };
+    let here = Path::new("node");
+    run_command(tests(here, &TESTS).envs(chromium()?))?;
+    run_command(tests(here, &["bits"]).env("UNITVEC_WASM", narrow.join("unitvec.wasm")))?;
+    let mut engines = tests(here, &["gltf-codes", "engines"]);
+    run_command(engines.envs(chromium()?).envs(record.then_some(("UNITVEC_RECORD", "1"))))?;
+    OTHER_NODES.iter().try_for_each(|name| {
+        run_command(&mut tests(&folder.join("node_modules").join(name).join("bin/node"), &TESTS))
+    })
 }
 
 /// Measures GLB files, and what engines take to load them.

@@ -6,8 +6,13 @@ use std::fmt::Write;
 use unitvec_languages::{Edition, Language, Library};
 
 /// Joins parts to a text, and texts to one that has no part twice.
-const HEAD: &str = r#"const join = (...parts) => parts.join("\n\n");
-export const merge = (...texts) => join(...new Set(texts.flatMap((text) => text.split(/\n\n(?=[^\s}])/))));
+const HEAD: &str = r#"const known = new Map();
+const join = (...parts) => {
+  const text = parts.join("\n\n") + "\n";
+  known.set(text, parts);
+  return text;
+};
+export const merge = (...texts) => join(...new Set(texts.flatMap((text) => known.get(text) ?? [text])));
 "#;
 
 const HEAD_OF_TYPES: &str =
@@ -60,22 +65,22 @@ fn text(
 ) -> Result<String, Box<dyn Error>> {
     let layout = library.layout(functions[0], language)?;
     let excerpt = library.excerpt(functions, language, edition)?;
-    let excerpt = excerpt.trim_end();
     let version = env!("CARGO_PKG_VERSION");
     Ok(format!("// unitvec {version} in {language}. Licence: MIT or Apache-2.0.\n\n{layout}\n{excerpt}"))
 }
 
-/// Parts of a text, between which empty lines stand: declarations with their comments.
+/// Parts of a text: each declaration with its comment; what is in a guard is one.
 fn parts(text: &str) -> Vec<String> {
     let mut parts: Vec<String> = Vec::new();
-    for part in text.split("\n\n") {
+    let (mut is_guarded, mut is_comment) = (false, false);
+    for line in text.lines() {
+        let goes_on = is_guarded || is_comment || line.starts_with([' ', '}', ')']) || line.is_empty();
         match parts.last_mut() {
-            // An empty line within a declaration or a guard.
-            Some(last) if [" ", "#endif", "}", "\n"].iter().any(|start| part.starts_with(start)) => {
-                *last += &format!("\n\n{part}")
-            }
-            _ => parts.push(part.to_owned()),
+            Some(last) if goes_on => *last += &format!("\n{line}"),
+            _ => parts.push(line.to_owned()),
         }
+        is_guarded = line.starts_with("#ifndef") || is_guarded && line != "#endif";
+        is_comment = line.starts_with("//");
     }
-    parts
+    parts.iter().map(|part| part.trim_end().to_owned()).collect()
 }

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 use unitvec::angle_deg;
-use unitvec_catalogue::{AnyCodec, Domain, Element, Measure, find_any};
+use unitvec_catalogue::{AnyCodec, Domain, Element, find_any};
 use unitvec_files::Output;
 use unitvec_host::input::Input;
 use unitvec_host::{Error, Result};
@@ -33,7 +33,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let codec = find_any(&arguments.codec)?;
-    if codec.element == Element::Rotation || codec.measure() != Measure::Angle {
+    if !codec.keeps_directions() {
         let words = format!("{} is not for directions, and `snap` moves normals and tangents", codec.id);
         return Err(Error::Usage(words));
     }
@@ -146,31 +146,21 @@ impl Tallies {
     }
 }
 
-/// Moves the vectors of an element to those that it is decoded to, or to those that the format's own software encodes alike,
-/// but for those without a direction and tangents of such normals. Returns the angles of what was moved.
+/// Moves the vectors of an element by [`AnyCodec::snapped`]. Returns the angles of what was moved.
 fn snap<const N: usize>(codec: &AnyCodec, element: &mut [f32; N]) -> [Option<Moved>; 2] {
-    let mut decoded = *element;
-    match codec.format() {
-        Some(format) => {
-            decoded[..3].copy_from_slice(&format.snap([element[0], element[1], element[2]]));
-        }
-        None => decoded = codec.decode_one(codec.encode_one(*element)),
-    }
+    let original = std::mem::replace(element, codec.snapped(*element));
     let written = |original: [f32; 3], v: [f32; 3]| {
         codec
             .format()
             .map_or(0.0, |format| angle_deg(original, format.decode::<[f32; 3]>(format.plain().encode(v))))
     };
-    let (mut angles, mut is_usable) = ([None; 2], true);
-    for ((angle, vector), to) in
-        angles.iter_mut().zip(element.chunks_exact_mut(3)).zip(decoded.chunks_exact(3))
+    let vectors = [&original, element].map(|element| element.chunks_exact(3).map(|v| [v[0], v[1], v[2]]));
+    let [from, to] = vectors;
+    let mut angles = [None; 2];
+    for (angle, (from, to)) in
+        angles.iter_mut().zip(from.zip(to).take_while(|(from, _)| has_direction(*from)))
     {
-        let [from, to] = [[vector[0], vector[1], vector[2]], [to[0], to[1], to[2]]];
-        is_usable &= has_direction(from);
-        if is_usable {
-            vector.copy_from_slice(&to);
-            *angle = Some([angle_deg(from, to), written(from, from), written(from, to)]);
-        }
+        *angle = Some([angle_deg(from, to), written(from, from), written(from, to)]);
     }
     angles
 }

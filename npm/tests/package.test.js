@@ -1,0 +1,136 @@
+/**
+ * The package as installed: its README in Node.js and, unbundled, in Chromium; the bits there; what bundlers keep; glTF-Transform.
+ *
+ * UNITVEC_INSTALLED is a folder that has it in `node_modules`, UNITVEC_CHROMIUM a browser, UNITVEC_NARROW a build without wide
+ * instructions; `cargo xtask npm` gives all of them.
+ */
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createServer } from "node:http";
+import { tmpdir } from "node:os";
+import { extname, join } from "node:path";
+import test from "node:test";
+import { fileURLToPath } from "node:url";
+import { NodeIO } from "@gltf-transform/core";
+import { build } from "esbuild";
+import puppeteer from "puppeteer-core";
+import * as unitvec from "unitvec";
+import * as exactEs from "unitvec/glsl-es/exact";
+import * as es from "unitvec/glsl-es";
+import { snapNormals } from "unitvec/gltf-transform";
+import * as exactWgsl from "unitvec/wgsl/exact";
+import * as wgsl from "unitvec/wgsl";
+import { digests } from "./common.js";
+
+const { UNITVEC_PROGRAM: PROGRAM, UNITVEC_CHROMIUM: CHROMIUM, UNITVEC_COUNT: COUNT = "4096" } = process.env;
+const { UNITVEC_INSTALLED: INSTALLED, UNITVEC_NARROW: NARROW } = process.env;
+const HERE = fileURLToPath(new URL(".", import.meta.url));
+const README = readFileSync(join(HERE, "../README.md"), "utf8");
+const [, EXAMPLE, PRINTED] = /```js\n(.*?)```.*?```\n(.*?)```/s.exec(README) ?? [];
+
+test("README's lines run as installed", { skip: !INSTALLED && "UNITVEC_INSTALLED is not set" }, () => {
+  writeFileSync(join(INSTALLED, "readme.mjs"), EXAMPLE);
+  assert.equal(execFileSync(process.execPath, ["readme.mjs"], { cwd: INSTALLED, encoding: "utf8" }), PRINTED);
+});
+
+test("all of Chromium's bits are Node's, and README's lines run unbundled", { skip: !(CHROMIUM && INSTALLED) && "UNITVEC_CHROMIUM is not set" }, async () => {
+  await inChromium(async (page, printed) => {
+    assert.equal(printed.join("\n") + "\n", PRINTED);
+    const expected = await digests(unitvec, Number(COUNT));
+    for (const module of ["/node_modules/unitvec/dist/unitvec.wasm", ...(NARROW ? ["/narrow/unitvec.wasm"] : [])]) {
+      await page.reload();
+      const found = await page.evaluate(
+        async (module, count) => {
+          const [unitvec, { digests }] = await Promise.all([import("unitvec/core"), import("/tests/common.js")]);
+          await unitvec.load(module);
+          return digests(unitvec, count);
+        },
+        module,
+        Number(COUNT),
+      );
+      assert.deepEqual(found, expected, module);
+    }
+  });
+});
+
+/** Opens a page with README's lines, and runs a test there. */
+async function inChromium(run) {
+  const map = { unitvec: "unitvec/web.js", "unitvec/core": "unitvec/core.js", "unitvec/wgsl": "dist/wgsl.js" };
+  const imports = Object.fromEntries(Object.entries(map).map(([name, file]) => [name, `/node_modules/unitvec/${file}`]));
+  const page = `<!doctype html><script type="importmap">${JSON.stringify({ imports })}</script>`;
+  const types = { ".js": "text/javascript", ".wasm": "application/wasm" };
+  const folders = { node_modules: INSTALLED, tests: join(HERE, ".."), narrow: join(NARROW ?? "", "..") };
+  const server = createServer((request, response) => {
+    const [, first] = request.url.split("/");
+    response.setHeader("content-type", types[extname(request.url)] ?? "text/html");
+    response.end(first in folders ? readFileSync(join(folders[first], request.url)) : page);
+  }).listen(0, "127.0.0.1");
+  const env = { ...process.env, LD_LIBRARY_PATH: process.env.UNITVEC_CHROMIUM_LIBRARIES };
+  const browser = await puppeteer.launch({ executablePath: CHROMIUM, args: ["--no-sandbox"], env, protocolTimeout: 600_000 });
+  try {
+    const opened = await browser.newPage();
+    const printed = [];
+    opened.on("console", (message) => printed.push(message.text()));
+    opened.on("pageerror", (error) => printed.push(String(error)));
+    await opened.goto(`http://127.0.0.1:${server.address().port}/index`);
+    await opened.addScriptTag({ type: "module", content: `${EXAMPLE}\nglobalThis.isDone = true;` });
+    await opened.waitForFunction("globalThis.isDone", { timeout: 60_000 });
+    await run(opened, printed);
+  } finally {
+    await browser.close();
+    server.close();
+  }
+}
+
+test("texts have every function, once where they are merged", () => {
+  for (const [texts, declaration] of [[wgsl, /^fn (\w+)/gm], [exactWgsl, /^fn (\w+)/gm], [es, /^(?:u?int|float|u?vec\d|\w+) (\w+)\(.*\{/gm], [exactEs, /^(?:u?int|float|u?vec\d|\w+) (\w+)\(.*\{/gm]]) {
+    const { merge, ...others } = texts;
+    for (const codec of unitvec.codecs().filter((codec) => codec.id in others)) {
+      const names = [...others[codec.id].matchAll(declaration)].map((found) => found[1]);
+      assert.ok(names.includes(`${codec.id}_encode`) && names.includes(`${codec.id}_decode`), codec.id);
+    }
+    const merged = [...merge(...Object.values(others)).matchAll(declaration)].map((found) => found[1]);
+    assert.ok(merged.length > 400);
+    // GLSL has functions of one name for vectors of each size.
+    if (texts === wgsl || texts === exactWgsl) assert.equal(new Set(merged).size, merged.length);
+  }
+});
+
+test("texts are those of the program", { skip: !PROGRAM && "UNITVEC_PROGRAM is not set" }, () => {
+  const code = (text) => text.replace(/^\/\/.*$/gm, "").replace(/\s+/g, " ").trim();
+  for (const [texts, ...options] of [[wgsl, "wgsl"], [exactWgsl, "wgsl", "--exact"], [es, "glsl-es"], [exactEs, "glsl-es", "--exact"]]) {
+    for (const id of ["oct16p", "oct32p", "frame32", "ico24"]) {
+      const text = execFileSync(PROGRAM, ["shader", "--codec", id, "--language", ...options], { encoding: "utf8" });
+      assert.equal(code(texts[id]), code(text), `${options} ${id}`);
+    }
+  }
+});
+
+test("bundlers keep what is imported", async () => {
+  const contents = 'import { oct32p } from "unitvec/glsl-es"; console.log(oct32p);';
+  const options = { bundle: true, write: false, format: "esm", stdin: { contents, resolveDir: HERE } };
+  const { outputFiles } = await build({ ...options, minify: true });
+  assert.ok(outputFiles[0].text.length < 20_000 && outputFiles[0].text.includes("oct32p_decode"));
+});
+
+test("snapNormals does what the program does", { skip: !PROGRAM && "UNITVEC_PROGRAM is not set" }, async () => {
+  const cwd = mkdtempSync(join(tmpdir(), "unitvec-"));
+  const io = new NodeIO();
+  const mesh = join(HERE, "../../host/mesh/data/torus.glb");
+  const vectors = (document) => {
+    const [primitive] = document.getRoot().listMeshes()[0].listPrimitives();
+    return ["NORMAL", "TANGENT"].map((semantic) => primitive.getAttribute(semantic).getArray());
+  };
+  for (const codec of ["oct16p", "frame32", "gltf-snorm8", "draco:10"]) {
+    execFileSync(PROGRAM, ["snap", "--for", codec, mesh, "out.glb"], { cwd, stdio: "pipe" });
+    const document = await io.read(mesh);
+    const before = vectors(document).map((array) => array.slice());
+    await document.transform(snapNormals({ codec }));
+    assert.deepEqual(vectors(document), vectors(await io.read(join(cwd, "out.glb"))), codec);
+    assert.notDeepEqual(vectors(document), before);
+  }
+  assert.throws(() => snapNormals({ codec: "quat32" }), /not for directions/);
+  rmSync(cwd, { recursive: true });
+});
