@@ -1,5 +1,4 @@
-// The meshes of sizes.js, as glTF-Transform's documents, whose vertices an attribute `_ID` numbers if asked for.
-import { Document } from "@gltf-transform/core";
+// The meshes of sizes.js, as three.js's geometries.
 import { readFile } from "node:fs/promises";
 import { BufferAttribute, BufferGeometry } from "three";
 
@@ -51,36 +50,5 @@ export function million() {
 
 function indexed(positions, corners) {
   const index = new BufferAttribute(new (positions.length < 3 * 65536 ? Uint16Array : Uint32Array)(corners), 1);
-  return new BufferGeometry()
-    .setIndex(index)
-    .setAttribute("position", new BufferAttribute(new Float32Array(positions), 3));
-}
-
-/** A document of a geometry, with tangents and texture coordinates or without. */
-export function documentOf(geometry, { tangents = false, ids = false }) {
-  const document = new Document();
-  const buffer = document.createBuffer();
-  const accessor = (type, array) => document.createAccessor().setType(type).setArray(array).setBuffer(buffer);
-  const { position, normal, uv, tangent } = geometry.attributes;
-  const primitive = document
-    .createPrimitive()
-    .setMaterial(document.createMaterial())
-    .setIndices(accessor("SCALAR", geometry.index.array))
-    .setAttribute("POSITION", accessor("VEC3", position.array))
-    .setAttribute("NORMAL", accessor("VEC3", normal.array.slice()));
-  if (tangents)
-    primitive
-      .setAttribute("TANGENT", accessor("VEC4", tangent.array))
-      .setAttribute("TEXCOORD_0", accessor("VEC2", uv.array));
-  if (ids)
-    primitive.setAttribute(
-      "_ID",
-      accessor(
-        "SCALAR",
-        Float32Array.from({ length: position.count }, (_, i) => i),
-      ),
-    );
-  const node = document.createNode().setMesh(document.createMesh().addPrimitive(primitive));
-  document.getRoot().setDefaultScene(document.createScene().addChild(node));
-  return document;
+  return new BufferGeometry().setIndex(index).setAttribute("position", new BufferAttribute(new Float32Array(positions), 3));
 }

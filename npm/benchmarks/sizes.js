@@ -10,10 +10,11 @@ import { writeFile } from "node:fs/promises";
 import { gzipSync } from "node:zlib";
 import { decode } from "unitvec";
 import { inBrowser } from "../tests/browser.js";
+import { documentOf } from "../tests/mesh.js";
 import { joined, STORED } from "../unitvec/codes.js";
 import { packNormals } from "../unitvec/gltf-codes.js";
 import { snapNormals } from "../unitvec/gltf-transform.js";
-import { bunny, documentOf, million } from "./meshes.js";
+import { bunny, million } from "./meshes.js";
 
 const TIMES = 5;
 await Promise.all([MeshoptDecoder.ready, MeshoptEncoder.ready]);
@@ -31,25 +32,25 @@ const io = new NodeIO()
 const normals = (bits) => quantize({ pattern: /^NORMAL$/, quantizeNormal: bits });
 const positions = quantize({ pattern: /^POSITION$/ });
 const packed = (codec) => packNormals({ codec });
-const byMeshopt = meshopt({ encoder: MeshoptEncoder, level: "medium", quantizeNormal: 8 });
+const byMeshopt = meshopt({ encoder: MeshoptEncoder });
 const snapped = (codec) => snapNormals({ codec });
 const byDraco = draco({ quantizeGeneric: 24 });
 const FILES = [
   { name: "floats" },
-  { name: "floats, snapped to `oct16p`", transforms: [snapped("oct16p")] },
+  { name: "floats snapped to `oct16p`", transforms: [snapped("oct16p")] },
   { name: "`oct16p`", codec: "oct16p", transforms: [packed("oct16p")] },
   { name: "`oct32p`", codec: "oct32p", transforms: [packed("oct32p")] },
-  { name: "int8, quantized", transforms: [normals(8)] },
-  { name: "int16, quantized", transforms: [normals(16)] },
+  { name: "int8", transforms: [normals(8)] },
+  { name: "int16", transforms: [normals(16)] },
   { name: "floats and tangents", tangents: true },
   { name: "`frame32`", tangents: true, codec: "frame32", transforms: [packed("frame32")] },
   { name: "`oct16p`", small: true, codec: "oct16p", transforms: [packed("oct16p"), positions] },
-  { name: "int8, quantized", small: true, transforms: [normals(8), positions] },
-  { name: "meshopt, 8 bits", small: true, transforms: [byMeshopt] },
-  { name: "meshopt, 8 bits, snapped", small: true, transforms: [snapped("meshopt-oct:8"), byMeshopt] },
-  { name: "meshopt, `oct16p`", small: true, codec: "oct16p", transforms: [packed("oct16p"), byMeshopt] },
-  { name: "Draco, 10 bits", small: true, transforms: [byDraco] },
-  { name: "Draco, 10 bits, snapped", small: true, transforms: [snapped("draco:10"), byDraco] },
+  { name: "int8", small: true, transforms: [normals(8), positions] },
+  { name: "meshopt in 8 bits", small: true, transforms: [byMeshopt] },
+  { name: "snapped then meshopt in 8 bits", small: true, transforms: [snapped("meshopt-oct:8"), byMeshopt] },
+  { name: "meshopt of `oct16p`", small: true, codec: "oct16p", transforms: [packed("oct16p"), byMeshopt] },
+  { name: "Draco in 10 bits", small: true, transforms: [byDraco] },
+  { name: "snapped then Draco in 10 bits", small: true, transforms: [snapped("draco:10"), byDraco] },
 ];
 
 /** The bytes of a file of `FILES`. */
@@ -102,16 +103,7 @@ for (const [mesh, geometry] of Object.entries(meshes)) {
     const path = `/${mesh}/${served.size}.glb`;
     served.set(path, bytes);
     const { mean, largest } = await errors(geometry, await written(geometry, file, true), file.codec);
-    rows.push([
-      path,
-      mesh,
-      file.name,
-      file.small ? "14 bits" : "floats",
-      bytes.length,
-      gzipSync(bytes).length,
-      mean,
-      largest,
-    ]);
+    rows.push([path, mesh, file.name, file.small ? "14 bits" : "floats", bytes.length, gzipSync(bytes).length, mean, largest]);
   }
 }
 const call = `page.measure(${JSON.stringify([...served.keys()])}, ${TIMES})`;
@@ -119,9 +111,7 @@ const { result, messages, chromium } = await inBrowser({ entry: "benchmarks/page
 if (messages.length) throw new Error(messages.join("\n"));
 const TITLES = "mesh,file,positions,bytes,gzip,mean_deg,max_deg,gpu_bytes,three_ms,babylon_ms,chromium";
 const lines = rows.map(([path, mesh, ...cells]) => {
-  const [three, babylon] = ["three", "babylon"].map((of) =>
-    result.find(({ engine, name }) => engine === of && name === path),
-  );
+  const [three, babylon] = ["three", "babylon"].map((of) => result.find(({ engine, name }) => engine === of && name === path));
   const gpuBytes = Math.round(three.bytes / meshes[mesh].attributes.position.count);
   return [mesh, ...cells, gpuBytes, three.ms.toFixed(1), babylon.ms.toFixed(1), chromium.replace("Chrome/", "")].join();
 });

@@ -31,8 +31,7 @@ async function bundle(entry, three) {
 async function serve(files) {
   const server = createServer(async (request, response) => {
     const path = new URL(request.url ?? "", "http://localhost").pathname;
-    const inPackages =
-      path.startsWith("/node_modules/") && (await readFile(new URL(`.${path}`, npm)).catch(() => null));
+    const inPackages = path.startsWith("/node_modules/") && (await readFile(new URL(`.${path}`, npm)).catch(() => null));
     const bytes = files.get(path) ?? inPackages;
     const types = { js: "text/javascript", wasm: "application/wasm", "": "text/html" };
     const type = types[/\.(\w+)$/.exec(path)?.[1] ?? ""] ?? "application/octet-stream";
@@ -47,22 +46,17 @@ async function serve(files) {
  * Errors of the page and of the console fail.
  */
 export async function inBrowser({ entry, files = new Map(), three = "three", call }) {
-  const served = new Map(files).set(
-    "/",
-    Buffer.from('<!doctype html><title>unitvec</title><link rel="icon" href="data:,">'),
-  );
+  const served = new Map(files).set("/", Buffer.from('<!doctype html><title>unitvec</title><link rel="icon" href="data:,">'));
   served.set("/page.js", await bundle(entry, three));
   const server = await serve(served);
-  const { UNITVEC_CHROMIUM: executablePath = "/usr/bin/chromium", UNITVEC_CHROMIUM_LIBRARIES: LD_LIBRARY_PATH } =
-    process.env;
+  const { UNITVEC_CHROMIUM: executablePath = "/usr/bin/chromium", UNITVEC_CHROMIUM_LIBRARIES: LD_LIBRARY_PATH } = process.env;
   const env = { ...process.env, ...(LD_LIBRARY_PATH ? { LD_LIBRARY_PATH } : {}) };
   const browser = await puppeteer.launch({ executablePath, env, args: ARGUMENTS, protocolTimeout: 600_000 });
   try {
     const tab = await browser.newPage();
     const messages = [];
     tab.on("console", (message) => {
-      const isComplaint =
-        ["error", "warn"].includes(message.type()) && !message.text().includes("GPU stall due to ReadPixels");
+      const isComplaint = ["error", "warn"].includes(message.type()) && !message.text().includes("GPU stall due to ReadPixels");
       if (isComplaint) messages.push(message.text());
     });
     tab.on("pageerror", (error) => messages.push(String(error)));

@@ -47,9 +47,6 @@ test("accessors that primitives share stay shared; primitives without what the c
 test("other codecs and arrays are refused by what to do", () => {
   const codes = encode(new Float32Array([0, 0, 1]), "oct32p");
   assert.throws(() => packNormals({ codec: "oct20p" }), { name: "RangeError", message: /oct16p, .* not "oct20p"/ });
-  assert.throws(() => checkCodes(codes, "oct16p"), {
-    name: "TypeError",
-    message: /must be a Uint16Array, as encode\(\)/,
-  });
+  assert.throws(() => checkCodes(codes, "oct16p"), { name: "TypeError", message: /must be a Uint16Array, as encode\(\)/ });
   assert.throws(() => checkCodes([...codes], "oct32p"), { name: "TypeError", message: /Uint32Array/ });
 });

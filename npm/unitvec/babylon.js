@@ -19,8 +19,7 @@ const NAME = "UnitvecCodes";
  * @returns {M}
  */
 export function setCodes(mesh, codes, codec) {
-  const type =
-    checkCodes(codes, codec) instanceof Uint16Array ? VertexBuffer.UNSIGNED_SHORT : VertexBuffer.UNSIGNED_INT;
+  const type = checkCodes(codes, codec) instanceof Uint16Array ? VertexBuffer.UNSIGNED_SHORT : VertexBuffer.UNSIGNED_INT;
   const options = { size: 1, type, normalized: false };
   mesh.setVerticesBuffer(new VertexBuffer(mesh.getScene().getEngine(), codes, attributeName(codec), options));
   return mesh;
@@ -144,10 +143,7 @@ export function registerCodes(register) {
 async function decoded(loaded, loader, primitive, codec) {
   const { attribute, array } = STORED[codec];
   const accessor = loader.gltf.accessors[primitive.attributes[attribute]];
-  const [mesh, parts] = await Promise.all([
-    loaded,
-    loader._loadAccessorAsync(`/accessors/${accessor.index}`, accessor, array),
-  ]);
+  const [mesh, parts] = await Promise.all([loaded, loader._loadAccessorAsync(`/accessors/${accessor.index}`, accessor, array)]);
   const source = mesh.sourceMesh ?? mesh;
   const size = components(codec);
   const component = (/** @type {number} */ i, /** @type {number} */ c) => parts[i * size + c];

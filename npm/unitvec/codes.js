@@ -85,36 +85,29 @@ export function checkCodes(codes, codec) {
 export const components = (/** @type {AttributeCodec} */ codec) => ({ SCALAR: 1, VEC2: 2, VEC3: 3 })[row(codec).type];
 
 /**
- * Text in GLSL ES of the functions that shaders call: `normal_of_code` and, for frames, `tangent_of_code`, whose w is
- * the handedness.
+ * Text in GLSL ES of the functions that shaders call: `normal_of_code` and, for frames, `tangent_of_code`, whose w is the handedness.
  */
 export function glslText(/** @type {AttributeCodec} */ codec) {
   // Named one by one, so that bundlers leave the other texts out.
-  const texts = {
-    oct16p: glsl.oct16p_decode,
-    oct24p: glsl.oct24p_decode,
-    oct32p: glsl.oct32p_decode,
-    frame32: glsl.frame32_decode,
-  };
-  const decoded = "vec3 normal; vec4 tangent; frame32_decode(code, normal, tangent); return";
-  const functions = isFrame(codec)
-    ? `vec3 normal_of_code(uint code) { ${decoded} normal; }\nvec4 tangent_of_code(uint code) { ${decoded} tangent; }`
-    : `vec3 normal_of_code(uint code) { return ${codec}_decode(code); }`;
-  return row(codec) && `${texts[codec]}\n${functions}\n`;
+  const [oct16p, oct24p, oct32p, frame32] = [glsl.oct16p_decode, glsl.oct24p_decode, glsl.oct32p_decode, glsl.frame32_decode];
+  const decoded = isFrame(codec)
+    ? "vec3 normal; vec4 tangent; frame32_decode(code, normal, tangent);"
+    : `vec3 normal = ${codec}_decode(code);`;
+  const tangent = isFrame(codec) ? `vec4 tangent_of_code(uint code) { ${decoded} return tangent; }\n` : "";
+  return (
+    row(codec) &&
+    `${{ oct16p, oct24p, oct32p, frame32 }[codec]}\nvec3 normal_of_code(uint code) { ${decoded} return normal; }\n${tangent}`
+  );
 }
 
 /** The same in WGSL. */
 export function wgslText(/** @type {AttributeCodec} */ codec) {
-  const texts = {
-    oct16p: wgsl.oct16p_decode,
-    oct24p: wgsl.oct24p_decode,
-    oct32p: wgsl.oct32p_decode,
-    frame32: wgsl.frame32_decode,
-  };
-  const decoded = "var normal: vec3f; var tangent: vec4f; frame32_decode(code, &normal, &tangent); return";
-  const functions = isFrame(codec)
-    ? `fn normal_of_code(code: u32) -> vec3f { ${decoded} normal; }
-fn tangent_of_code(code: u32) -> vec4f { ${decoded} tangent; }`
-    : `fn normal_of_code(code: u32) -> vec3f { return ${codec}_decode(code); }`;
-  return row(codec) && `${texts[codec]}\n${functions}\n`;
+  const [oct16p, oct24p, oct32p, frame32] = [wgsl.oct16p_decode, wgsl.oct24p_decode, wgsl.oct32p_decode, wgsl.frame32_decode];
+  const locals = "var normal: vec3f; var tangent: vec4f; frame32_decode(code, &normal, &tangent);";
+  const decoded = isFrame(codec) ? locals : `let normal = ${codec}_decode(code);`;
+  const tangent = isFrame(codec) ? `fn tangent_of_code(code: u32) -> vec4f { ${decoded} return tangent; }\n` : "";
+  return (
+    row(codec) &&
+    `${{ oct16p, oct24p, oct32p, frame32 }[codec]}\nfn normal_of_code(code: u32) -> vec3f { ${decoded} return normal; }\n${tangent}`
+  );
 }

@@ -24,7 +24,10 @@ export function packNormals({ codec = "oct32p" } = {}) {
     const accessors = document.getRoot().listAccessors();
     /** @type {Made} */
     const made = new Map();
-    for (const primitive of document.getRoot().listMeshes().flatMap((mesh) => mesh.listPrimitives())) {
+    for (const primitive of document
+      .getRoot()
+      .listMeshes()
+      .flatMap((mesh) => mesh.listPrimitives())) {
       pack(document, primitive, codec, { accessors, made });
     }
     for (const accessor of [...made.values()].flatMap(({ from }) => from)) {
@@ -69,14 +72,7 @@ function vectors(/** @type {Accessor[]} */ from) {
   const count = from[0].getCount();
   const size = from.reduce((sum, accessor) => sum + accessor.getElementSize(), 0);
   const floats = new Float32Array(count * size);
-  /** @type {number[]} */
-  const element = [];
-  for (let i = 0; i < count; i++) {
-    let place = i * size;
-    for (const accessor of from) {
-      floats.set(accessor.getElement(i, element).slice(0, accessor.getElementSize()), place);
-      place += accessor.getElementSize();
-    }
-  }
+  const elements = (/** @type {number} */ i) => from.flatMap((accessor) => accessor.getElement(i, /** @type {number[]} */ ([])));
+  for (let i = 0; i < count; i++) floats.set(elements(i), i * size);
   return floats;
 }

@@ -36,9 +36,7 @@ export function useCodes(material, codec, device) {
   };
   const library = glslText(codec);
   const tangent = isFrame(codec) ? "#ifdef TANGENTS\nvec4 vertex_tangent;\n#endif\n" : "";
-  const setTangent = isFrame(codec)
-    ? "\n#ifdef TANGENTS\nvertex_tangent = tangent_of_code(vertex_normal);\n#endif"
-    : "";
+  const setTangent = isFrame(codec) ? "\n#ifdef TANGENTS\nvertex_tangent = tangent_of_code(vertex_normal);\n#endif" : "";
   change(
     "normalCoreVS",
     ["attribute vec3 vertex_normal;", `${library}attribute uint vertex_normal;\n${tangent}`],

@@ -31,8 +31,7 @@ export async function rows() {
 
   const made = (name, codec, scene) => {
     const mesh = new Mesh("", scene);
-    const set = (kind, array, size) =>
-      mesh.setVerticesBuffer(new VertexBuffer(engine, array, kind, false, false, size));
+    const set = (kind, array, size) => mesh.setVerticesBuffer(new VertexBuffer(engine, array, kind, false, false, size));
     const isMapped = name.endsWith(MAPPED);
     set("position", arrays.positions, 3);
     if (isMapped) set("uv", arrays.uvs, 2);

@@ -38,13 +38,7 @@ function meshOf(arrays, codec, isMapped) {
   const mesh = new pc.Mesh(app.graphicsDevice);
   mesh.vertexBuffer = new pc.VertexBuffer(app.graphicsDevice, format, count, { data: bytes.buffer });
   const size = arrays.index.length;
-  mesh.indexBuffer[0] = new pc.IndexBuffer(
-    app.graphicsDevice,
-    pc.INDEXFORMAT_UINT32,
-    size,
-    pc.BUFFER_STATIC,
-    arrays.index.buffer,
-  );
+  mesh.indexBuffer[0] = new pc.IndexBuffer(app.graphicsDevice, pc.INDEXFORMAT_UINT32, size, pc.BUFFER_STATIC, arrays.index.buffer);
   mesh.primitive[0] = { type: pc.PRIMITIVE_TRIANGLES, base: 0, count: size, indexed: true };
   mesh.aabb = new pc.BoundingBox(new pc.Vec3(), new pc.Vec3(2, 2, 2));
   return mesh;
