@@ -64,12 +64,7 @@ function addPlugin(material, codec) {
       return language === 0; // GLSL
     }
 
-    /**
-     * @param {any} defines
-     * @param {import("@babylonjs/core").Scene} _scene
-     * @param {import("@babylonjs/core").AbstractMesh} mesh
-     */
-    prepareDefines(defines, _scene, mesh) {
+    prepareDefines(/** @type {any} */ defines, /** @type {any} */ _scene, /** @type {any} */ mesh) {
       defines.UNITVEC_CODES = hasCodes(mesh) ? 1 + CODECS.indexOf(codec) : 0;
       if (!hasCodes(mesh)) return;
       // Babylon.js turns both off where the mesh has no such attribute.
