@@ -391,7 +391,9 @@ pub static RECORDS: &[Record] = &[
             CODECS,
             &[
                 Code("catalogue/src/*.rs npm/src/*.rs xtask/npm/src/*.rs"),
-                Code("npm/unitvec/*.js npm/tests/*.js npm/tests/engines/*.js shaders/glsl-es/* shaders/wgsl/*"),
+                Code(
+                    "npm/unitvec/*.js npm/tests/*.js npm/tests/engines/*.js shaders/glsl-es/* shaders/wgsl/*",
+                ),
                 Bytes(
                     "npm/Cargo.toml npm/package-lock.json npm/package.json npm/README.md npm/tsconfig.json",
                 ),
