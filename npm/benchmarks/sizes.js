@@ -73,7 +73,7 @@ async function errors(geometry, bytes, codec) {
     sum += degrees;
     largest = Math.max(largest, degrees);
   }
-  return { mean: sum / ids.getCount(), largest };
+  return [sum / ids.getCount(), largest].map((degrees) => Number(degrees.toPrecision(6)));
 }
 
 function decoded(primitive, codec) {
@@ -102,7 +102,7 @@ for (const [mesh, geometry] of Object.entries(meshes)) {
     const bytes = await written(geometry, file, false);
     const path = `/${mesh}/${served.size}.glb`;
     served.set(path, bytes);
-    const { mean, largest } = await errors(geometry, await written(geometry, file, true), file.codec);
+    const [mean, largest] = await errors(geometry, await written(geometry, file, true), file.codec);
     rows.push([path, mesh, file.name, file.small ? "14 bits" : "floats", bytes.length, gzipSync(bytes).length, mean, largest]);
   }
 }

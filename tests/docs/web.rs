@@ -55,6 +55,7 @@ pub fn sizes(mesh: &str) -> String {
         format!("{name} | {positions} | {bytes} | {gzip} | {gpu_bytes} | {times} | {errors}")
     });
     let times = "three.js, ms | Babylon.js, ms";
-    let titles = format!("normals | positions | kB | kB, gzip | GPU bytes a vertex | {times} | mean / max, degrees");
+    let titles =
+        format!("normals | positions | kB | kB, gzip | GPU bytes a vertex | {times} | mean / max, degrees");
     markdown_table(&titles, rows)
 }

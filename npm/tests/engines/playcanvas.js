@@ -25,11 +25,8 @@ function meshOf(arrays, codec, isMapped) {
     ...(isMapped && codec !== "frame32" ? [[float(pc.SEMANTIC_TANGENT, 4), arrays.tangents]] : []),
   ];
   // With a number of vertices the elements lie one after the other, each from a multiple of 4 bytes.
-  const format = new pc.VertexFormat(
-    app.graphicsDevice,
-    elements.map(([element]) => element),
-    count,
-  );
+  const described = elements.map(([element]) => element);
+  const format = new pc.VertexFormat(app.graphicsDevice, described, count);
   const bytes = new Uint8Array(format.verticesByteSize);
   for (const [{ semantic }, { buffer, byteOffset, byteLength }] of elements) {
     const { offset } = format.elements.find(({ name }) => name === semantic);
