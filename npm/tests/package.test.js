@@ -13,6 +13,7 @@ import { tmpdir } from "node:os";
 import { extname, join } from "node:path";
 import test from "node:test";
 import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
 import { NodeIO } from "@gltf-transform/core";
 import { build } from "esbuild";
 import puppeteer from "puppeteer-core";
@@ -35,24 +36,44 @@ test("README's lines run as installed", { skip: !INSTALLED && "UNITVEC_INSTALLED
   assert.equal(execFileSync(process.execPath, ["readme.mjs"], { cwd: INSTALLED, encoding: "utf8" }), PRINTED);
 });
 
-test("all of Chromium's bits are Node's, and README's lines run unbundled", { skip: !(CHROMIUM && INSTALLED) && "UNITVEC_CHROMIUM is not set" }, async () => {
-  await inChromium(async (page, printed) => {
-    assert.equal(printed.join("\n") + "\n", PRINTED);
-    const expected = await digests(unitvec, Number(COUNT));
-    for (const module of ["/node_modules/unitvec/dist/unitvec.wasm", ...(NARROW ? ["/narrow/unitvec.wasm"] : [])]) {
-      await page.reload();
-      const found = await page.evaluate(
-        async (module, count) => {
-          const [unitvec, { digests }] = await Promise.all([import("unitvec/core"), import("/tests/common.js")]);
-          await unitvec.load(module);
-          return digests(unitvec, count);
-        },
-        module,
-        Number(COUNT),
-      );
-      assert.deepEqual(found, expected, module);
-    }
-  });
+test(
+  "all of Chromium's bits are Node's, and README's lines run unbundled",
+  { skip: !(CHROMIUM && INSTALLED) && "UNITVEC_CHROMIUM is not set" },
+  async () => {
+    await inChromium(async (page, printed) => {
+      assert.equal(printed.join("\n") + "\n", PRINTED);
+      const expected = await digests(unitvec, Number(COUNT));
+      for (const module of ["/node_modules/unitvec/dist/unitvec.wasm", ...(NARROW ? ["/narrow/unitvec.wasm"] : [])]) {
+        await page.reload();
+        const found = await page.evaluate(
+          async (module, count) => {
+            const [unitvec, { digests }] = await Promise.all([import("unitvec/core"), import("/tests/common.js")]);
+            await unitvec.load(module);
+            return digests(unitvec, count);
+          },
+          module,
+          Number(COUNT),
+        );
+        assert.deepEqual(found, expected, module);
+      }
+    });
+  },
+);
+
+test("a worker of Chromium", { skip: !(CHROMIUM && INSTALLED) && "UNITVEC_CHROMIUM is not set" }, async () => {
+  const code = await inChromium((page) =>
+    page.evaluate(() => {
+      const from = `${location.origin}/node_modules/unitvec/unitvec/web.js`;
+      const script = `import { encode } from "${from}"; postMessage(encode(new Float32Array([0, 0, -1]), "oct32p")[0]);`;
+      const url = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
+      return new Promise((resolve) => (new Worker(url, { type: "module" }).onmessage = ({ data }) => resolve(data)));
+    }),
+  );
+  assert.equal(code, unitvec.encode(new Float32Array([0, 0, -1]), "oct32p")[0]);
+});
+
+test("the module is under 200 kB, as servers compress it", () => {
+  assert.ok(gzipSync(readFileSync(join(HERE, "../dist/unitvec.wasm"))).length < 200_000);
 });
 
 /** Opens a page with README's lines, and runs a test there. */
@@ -77,34 +98,25 @@ async function inChromium(run) {
     await opened.goto(`http://127.0.0.1:${server.address().port}/index`);
     await opened.addScriptTag({ type: "module", content: `${EXAMPLE}\nglobalThis.isDone = true;` });
     await opened.waitForFunction("globalThis.isDone", { timeout: 60_000 });
-    await run(opened, printed);
+    return await run(opened, printed);
   } finally {
     await browser.close();
     server.close();
   }
 }
 
-test("texts have every function, once where they are merged", () => {
-  for (const [texts, declaration] of [[wgsl, /^fn (\w+)/gm], [exactWgsl, /^fn (\w+)/gm], [es, /^(?:u?int|float|u?vec\d|\w+) (\w+)\(.*\{/gm], [exactEs, /^(?:u?int|float|u?vec\d|\w+) (\w+)\(.*\{/gm]]) {
-    const { merge, ...others } = texts;
-    for (const codec of unitvec.codecs().filter((codec) => codec.id in others)) {
-      const names = [...others[codec.id].matchAll(declaration)].map((found) => found[1]);
-      assert.ok(names.includes(`${codec.id}_encode`) && names.includes(`${codec.id}_decode`), codec.id);
-    }
-    const merged = [...merge(...Object.values(others)).matchAll(declaration)].map((found) => found[1]);
-    assert.ok(merged.length > 400);
-    // GLSL has functions of one name for vectors of each size.
-    if (texts === wgsl || texts === exactWgsl) assert.equal(new Set(merged).size, merged.length);
-  }
-});
+const EDITIONS = { wgsl, "wgsl --exact": exactWgsl, "glsl-es": es, "glsl-es --exact": exactEs };
 
-test("texts are those of the program", { skip: !PROGRAM && "UNITVEC_PROGRAM is not set" }, () => {
+test("texts are those of the program, and merge without repeating", { skip: !PROGRAM && "UNITVEC_PROGRAM is not set" }, () => {
   const code = (text) => text.replace(/^\/\/.*$/gm, "").replace(/\s+/g, " ").trim();
-  for (const [texts, ...options] of [[wgsl, "wgsl"], [exactWgsl, "wgsl", "--exact"], [es, "glsl-es"], [exactEs, "glsl-es", "--exact"]]) {
-    for (const id of ["oct16p", "oct32p", "frame32", "ico24"]) {
-      const text = execFileSync(PROGRAM, ["shader", "--codec", id, "--language", ...options], { encoding: "utf8" });
-      assert.equal(code(texts[id]), code(text), `${options} ${id}`);
-    }
+  for (const [options, { merge, ...texts }] of Object.entries(EDITIONS)) {
+    const run = (...words) => code(execFileSync(PROGRAM, ["shader", "--language", ...options.split(" "), ...words], { encoding: "utf8" }));
+    for (const id of ["oct16p", "oct32p", "frame32", "ico24"]) assert.equal(code(texts[id]), run("--codec", id), id);
+    assert.equal(code(texts.oct32p_decode), run("--function", "oct32p_decode"));
+    const names = (text) => [...text.matchAll(/^fn (\w+)|#define (\w+)/gm)].map((found) => found[0]);
+    const merged = names(merge(...Object.values(texts)));
+    assert.deepEqual(new Set(merged), new Set(names(Object.values(texts).join("\n"))));
+    assert.equal(new Set(merged).size, merged.length);
   }
 });
 

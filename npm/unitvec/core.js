@@ -1,8 +1,7 @@
 /**
- * Unit vectors, tangent frames and rotations in 8 to 64 bits, for typed arrays: the functions of the package, and `load`, which
- * must come before them. `import … from "unitvec"` loads by itself.
- *
- * Codes are those of the Rust crate, the shaders and the program `unitvec`, bit for bit.
+ * Unit vectors, tangent frames and rotations in 8 to 64 bits, for typed arrays: the functions of the package, and `load`, which must
+ * come before them; `import … from "unitvec"` loads by itself. Codes are those of the Rust crate, the shaders and the program
+ * `unitvec`, bit for bit.
  */
 
 import init, * as native from "../dist/unitvec.js";
@@ -15,14 +14,14 @@ const TYPES = [Uint8Array, Uint16Array, Uint32Array, Uint32Array, BigUint64Array
 
 /** @typedef {Float32Array | Float64Array} Elements */
 /** @typedef {Uint8Array | Uint16Array | Uint32Array | BigUint64Array} Codes */
+/** @typedef {import("../dist/unitvec.js").InitInput} Source */
+
 /**
  * A constructor of arrays of codes.
  *
  * @typedef {{
- *   new (length: number): Codes;
- *   new (buffer: ArrayBufferLike, byteOffset?: number, length?: number): Codes;
- *   readonly name: string;
- *   readonly BYTES_PER_ELEMENT: number;
+ *   new (length: number): Codes; new (buffer: ArrayBufferLike, byteOffset?: number, length?: number): Codes;
+ *   readonly name: string; readonly BYTES_PER_ELEMENT: number;
  * }} CodesType
  */
 
@@ -43,19 +42,29 @@ const TYPES = [Uint8Array, Uint16Array, Uint32Array, Uint32Array, BigUint64Array
  * @property {CodesType} ArrayType The type of an array of codes: the smallest unsigned integers that hold one.
  */
 
+/**
+ * The place of elements among other numbers: that of the first one's first number, 0 unless said, and the numbers from one element to
+ * the next, those of an element unless said.
+ *
+ * @typedef {{ offset?: number, stride?: number }} Layout
+ */
+
 /** @type {Map<string, Codec>} */
 const known = new Map();
 let isLoaded = false;
 
 /**
- * Compiles the module. `import … from "unitvec"` does it by itself.
+ * Compiles the module.
  *
- * @param {import("../dist/unitvec.js").InitInput | Promise<import("../dist/unitvec.js").InitInput>} source The bytes of `unitvec/unitvec.wasm`, or where to fetch them: a URL, a response, or a
- *   promise of one; or a compiled module.
+ * @param {Source | Promise<Source>} source The bytes of `unitvec/unitvec.wasm`, a compiled module, or where to fetch it: a URL or a response.
  */
 export async function load(source) {
   await init({ module_or_path: source });
   isLoaded = true;
+}
+
+function checkLoaded() {
+  if (!isLoaded) throw new Error('unitvec is not loaded: await load(…) first, or import from "unitvec"');
 }
 
 /** The version of the package. */
@@ -73,9 +82,7 @@ export function version() {
  */
 export function codec(name) {
   checkLoaded();
-  if (typeof name !== "string") {
-    throw new TypeError(`a codec is named by a string, as "oct32p", not by ${typeOf(name)}`);
-  }
+  if (typeof name !== "string") throw new TypeError(`a codec is named by a string, as "oct32p", not by ${typeOf(name)}`);
   const found = known.get(name);
   if (found) return found;
   const [id, element, bits, bytes, floats, domain, maxErrorsDeg, none, meanDeg, maxDeg] = native.codec(name);
@@ -93,8 +100,8 @@ export function codecs() {
 }
 
 /**
- * All formats of other software, as `tiles3d-oct16` or `draco:10`: each with the encoder that finds the nearest code and, where the
- * name ends in ` plain`, with that software's own rounding.
+ * All formats of other software, as `tiles3d-oct16` or `draco:10`: each with the encoder that finds the nearest code and, where the name
+ * ends in ` plain`, with that software's own rounding.
  */
 export function formats() {
   checkLoaded();
@@ -102,57 +109,48 @@ export function formats() {
 }
 
 /**
- * The codec of the fewest bytes whose measured maximum error, of frames the normal's, is not above `maxErrorDeg` degrees. Of those
- * the one of least mean error.
+ * The codec of the fewest bytes whose measured maximum error, of frames the normal's, is not above `maxErrorDeg` degrees. Of those the
+ * one of least mean error.
  *
  * @param {number} maxErrorDeg
- * @param {object} [options]
- * @param {"vectors" | "frames" | "rotations"} [options.element]
- * @param {"sphere" | "hemisphere"} [options.domain] `hemisphere` where every direction has z >= 0.
+ * @param {{ element?: Codec["element"], domain?: Codec["domain"] }} [options] The domain is `hemisphere` where every direction has z >= 0.
  * @throws {RangeError} No codec is so fine, or there is no such element or domain.
  */
 export function choose(maxErrorDeg, { element = "vectors", domain = "sphere" } = {}) {
-  const isFor = (/** @type {Codec} */ c) => c.element === element && (c.domain === "sphere" || c.domain === domain);
-  const found = codecs().filter((c) => isFor(c) && c.maxDeg > 0);
+  const found = codecs().filter((c) => c.element === element && ["sphere", domain].includes(c.domain) && c.maxDeg > 0);
   if (found.length === 0 || !["sphere", "hemisphere"].includes(domain)) {
-    throw new RangeError(
-      `there are no "${shown(element)}" over a "${shown(domain)}"; elements are "vectors", "frames" and "rotations", domains ` +
-        `"sphere" and "hemisphere"`,
-    );
+    const known = 'elements are "vectors", "frames" and "rotations", domains "sphere" and "hemisphere"';
+    throw new RangeError(`there are no "${shown(element)}" over a "${shown(domain)}"; ${known}`);
   }
-  const fits = found.filter((c) => c.maxDeg <= maxErrorDeg);
-  if (typeof maxErrorDeg !== "number" || fits.length === 0) {
+  const fits = typeof maxErrorDeg === "number" ? found.filter((c) => c.maxDeg <= maxErrorDeg) : [];
+  if (fits.length === 0) {
     const finest = Math.min(...found.map((c) => c.maxDeg));
     throw new RangeError(`no codec of ${element} is within ${shown(maxErrorDeg)} degrees; the finest reaches ${finest}`);
   }
-  return fits.reduce((a, b) => (b.bytes - a.bytes || b.meanDeg - a.meanDeg) < 0 ? b : a);
+  return fits.reduce((a, b) => ((b.bytes - a.bytes || b.meanDeg - a.meanDeg) < 0 ? b : a));
 }
 
 /**
  * Encodes vectors, frames or rotations to integers.
  *
  * @template {Codes} [T=Codes]
- * @param {Elements} elements Numbers of one element after the other. Of frames normal, tangent, and handedness of 1 or -1; of rotations
- *   the quaternion x, y, z, w. Lengths do not matter, but to codecs of components (`snorm…`) and `vector…`. Doubles are rounded to
- *   floats.
+ * @param {Elements} elements Numbers of one element after the other: of frames normal, tangent, and handedness of 1 or -1; of rotations
+ *   the quaternion x, y, z, w. Lengths do not matter, but to codecs of components (`snorm…`) and `vector…`. Doubles are rounded to floats.
  * @param {string | Codec} by The codec or format, or its name.
- * @param {object} [options]
- * @param {boolean} [options.null] Vectors without a direction (zeros, NaN, infinite ones) get the codec's null code. Else they get the code of +Z.
- * @param {number} [options.offset] The place of the first element's first number in the array: 0 unless said.
- * @param {number} [options.stride] Numbers from one element to the next: those of an element unless said.
- * @param {T} [options.out] An array for the codes, which is returned.
- * @returns {T} Codes in an array of `Codec.ArrayType`. Bits above `Codec.bits` are 0.
+ * @param {Layout & { null?: boolean, out?: T }} [options] With `null`, vectors without a direction (zeros, NaN, infinite ones) get the
+ *   codec's null code, else the code of +Z. `out` is an array for the codes.
+ * @returns {T} The codes, `out` if given, in an array of `Codec.ArrayType`. Bits above `Codec.bits` are 0.
  * @throws {TypeError} An argument of another type.
- * @throws {RangeError} A wrong name, length, stride or offset, or no null code.
+ * @throws {RangeError} A wrong name, length or layout, or no null code.
  */
-export function encode(elements, by, { null: withNull = false, offset = 0, stride, out } = {}) {
+export function encode(elements, by, { null: withNull = false, offset, stride, out } = {}) {
   const facts = named(by);
-  const input = floatsOf(elements, facts, offset, stride);
-  const [codes, result] = output(out, /** @type {any} */ (facts.ArrayType), input.count, elements);
+  const input = inputOf(elements, facts, offset, stride);
+  const codes = output(out, /** @type {any} */ (facts.ArrayType), input.count, elements);
   inPortions(input.count, (first, count) => {
     native.encode(facts.id, input.portion(first, count), bytesOf(codes.subarray(first, first + count)), Boolean(withNull));
   });
-  return /** @type {T} */ (filled(codes, result));
+  return /** @type {T} */ (filled(out, codes));
 }
 
 /**
@@ -160,41 +158,36 @@ export function encode(elements, by, { null: withNull = false, offset = 0, strid
  *
  * @param {Codes} codes An array of `Codec.ArrayType`.
  * @param {string | Codec} by The codec or format that they were encoded by, or its name.
- * @param {object} [options]
- * @param {boolean} [options.null] Null codes become zeros. Else they become unit vectors like any other code.
- * @param {Float32Array} [options.out] An array for the elements, which is returned. Of codes that do not fit it keeps those before.
- * @returns {Float32Array} Numbers of one element after the other.
+ * @param {{ null?: boolean, out?: Float32Array }} [options] With `null`, null codes become zeros, else unit vectors like any other code.
+ *   `out` is an array for the elements; where a code does not fit it may be written up to there.
+ * @returns {Float32Array} Numbers of one element after the other, in `out` if given.
  * @throws {TypeError} An argument of another type.
  * @throws {RangeError} A wrong name or length, codes that do not fit into `Codec.bits`, or no null code.
  */
 export function decode(codes, by, { null: withNull = false, out } = {}) {
-  const facts = named(by);
-  if (typeOf(codes) !== facts.ArrayType.name) {
-    throw new TypeError(`codes of ${facts.id} are in a ${facts.ArrayType.name}, not in ${typeOf(codes)}`);
-  }
-  const [elements, result] = output(out, Float32Array, codes.length * facts.floats, codes);
+  const { id, floats, ArrayType } = named(by);
+  if (typeOf(codes) !== ArrayType.name) throw new TypeError(`codes of ${id} are in a ${ArrayType.name}, not in ${typeOf(codes)}`);
+  const elements = output(out, Float32Array, codes.length * floats, codes);
   inPortions(codes.length, (first, count) => {
-    const some = elements.subarray(first * facts.floats, (first + count) * facts.floats);
-    native.decode(facts.id, bytesOf(codes.subarray(first, first + count)), some, Boolean(withNull));
+    const some = elements.subarray(first * floats, (first + count) * floats);
+    native.decode(id, bytesOf(codes.subarray(first, first + count)), some, Boolean(withNull));
   });
-  return filled(elements, result);
+  return filled(out, elements);
 }
 
 /**
- * The error of each element after encoding and decoding: in degrees, of axes (`axial…`) the angle between axes in degrees, of
- * vectors with a length (`vector…`) relative to that length.
+ * The error of each element after encoding and decoding: in degrees, of axes (`axial…`) the angle between axes in degrees, of vectors
+ * with a length (`vector…`) relative to that length.
  *
- * @param {Elements} elements As `encode` takes them. Doubles are rounded to floats first.
+ * @param {Elements} elements As `encode` takes them.
  * @param {string | Codec} by The codec or format, or its name.
- * @param {object} [options]
- * @param {number} [options.offset] As in `encode`.
- * @param {number} [options.stride] As in `encode`.
+ * @param {Layout} [layout]
  * @returns {Float64Array} A number for each element, of frames two: the normal's and the tangent's. NaN where there is no direction.
  * @throws {TypeError | RangeError} As `encode` does.
  */
-export function error(elements, by, { offset = 0, stride } = {}) {
+export function error(elements, by, { offset, stride } = {}) {
   const facts = named(by);
-  const input = floatsOf(elements, facts, offset, stride);
+  const input = inputOf(elements, facts, offset, stride);
   const parts = facts.maxErrorsDeg.length;
   const errors = new Float64Array(input.count * parts);
   inPortions(input.count, (first, count) => {
@@ -205,42 +198,33 @@ export function error(elements, by, { offset = 0, stride } = {}) {
 
 /**
  * Moves vectors or frames, in their array, to those that a codec decodes to. A program that then writes the codec's format by plain
- * rounding, as tools for glTF do, writes the codes that the codec's encoder finds. Elements without a direction stay as they are.
+ * rounding, as tools for glTF do, writes the codes that the codec's encoder finds. What has no direction stays.
  *
  * @template {Elements} T
  * @param {T} elements As `encode` takes them.
  * @param {string | Codec} by The codec or format, or its name.
- * @param {object} [options]
- * @param {number} [options.offset] As in `encode`.
- * @param {number} [options.stride] As in `encode`.
+ * @param {Layout} [layout]
  * @returns {T} The array.
  * @throws {TypeError | RangeError} As `encode` does, and of codecs of rotations, axes and vectors with a length.
  */
 export function snap(elements, by, { offset = 0, stride } = {}) {
   const facts = named(by);
-  const input = floatsOf(elements, facts, offset, stride);
+  const input = inputOf(elements, facts, offset, stride);
   inPortions(input.count, (first, count) => {
-    const some = Float32Array.from(input.portion(first, count));
+    const some = input.portion(first, count).slice();
     native.snap(facts.id, some);
-    unpack(some, elements, offset + first * (stride ?? facts.floats), stride ?? facts.floats, facts.floats);
+    const begin = offset + first * input.stride;
+    some.forEach((value, i) => (elements[begin + Math.floor(i / facts.floats) * input.stride + (i % facts.floats)] = value));
   });
   return elements;
 }
 
-function checkLoaded() {
-  if (!isLoaded) throw new Error('unitvec is not loaded: await load(…) first, or import from "unitvec"');
-}
-
-/** @param {unknown} by @returns {Codec} */
+/** @param {string | Codec} by */
 function named(by) {
-  return codec(typeof by === "object" && by !== null && "id" in by ? /** @type {Codec} */ (by).id : /** @type {string} */ (by));
+  return codec(typeof by === "object" && by !== null ? by.id : by);
 }
 
-/**
- * The name of a value's type. Arrays of other windows and of test runners have their names, too.
- *
- * @param {unknown} value
- */
+/** The name of a value's type. Arrays of other windows and of test runners have theirs, too. @param {unknown} value */
 function typeOf(value) {
   if (ArrayBuffer.isView(value)) return Object.prototype.toString.call(value).slice("[object ".length, -1);
   return value === null ? "null" : Array.isArray(value) ? "Array" : typeof value;
@@ -254,86 +238,60 @@ function shown(value) {
 /**
  * Checks an array of elements. Gives their number, and portions of them as floats without gaps.
  *
- * @param {Elements} elements @param {Codec} by @param {number} offset @param {number} [stride]
+ * @param {Elements} elements @param {Codec} by
  */
-function floatsOf(elements, by, offset, stride = by.floats) {
+function inputOf(elements, { id, element, floats }, offset = 0, stride = floats) {
   const type = typeOf(elements);
   if (type !== "Float32Array" && type !== "Float64Array") {
-    throw new TypeError(`${by.id} encodes a Float32Array or Float64Array, not ${type}; new Float32Array(…) makes it so`);
+    throw new TypeError(`${id} encodes a Float32Array or Float64Array, not ${type}; new Float32Array(…) makes it so`);
   }
   if (!Number.isSafeInteger(offset) || offset < 0 || offset > elements.length) {
     throw new RangeError(`offset is a place in the array, from 0 to ${elements.length}, not ${shown(offset)}`);
   }
-  if (!Number.isSafeInteger(stride) || stride < by.floats) {
-    throw new RangeError(`stride is a number of floats from ${by.floats} on, those of ${by.element}, not ${shown(stride)}`);
+  if (!Number.isSafeInteger(stride) || stride < floats) {
+    throw new RangeError(`stride is a number of floats from ${floats} on, those of ${element}, not ${shown(stride)}`);
   }
   const rest = (elements.length - offset) % stride;
-  if (rest > 0 && rest < by.floats) {
-    throw new RangeError(`the array ends within an element: ${by.id} encodes ${by.element} of ${by.floats} numbers; ${rest} are left`);
+  if (rest > 0 && rest < floats) {
+    throw new RangeError(`the array ends within an element: ${id} encodes ${element} of ${floats} numbers; ${rest} are left`);
   }
-  const count = Math.floor((elements.length - offset) / stride) + (rest > 0 ? 1 : 0);
-  /** @param {number} first @param {number} count */
+  /** @param {number} first @param {number} count @returns {Float32Array} */
   const portion = (first, count) => {
-    const packed = pack(elements, offset + first * stride, stride, by.floats, count);
-    return type === "Float32Array" ? /** @type {Float32Array} */ (packed) : native.round(by.id, /** @type {Float64Array} */ (packed));
+    let some = elements.subarray(offset + first * stride, offset + (first + count) * stride);
+    if (stride !== floats) {
+      const packed = type === "Float32Array" ? new Float32Array(count * floats) : new Float64Array(count * floats);
+      for (let i = 0; i < count; i++) {
+        for (let c = 0; c < floats; c++) packed[i * floats + c] = some[i * stride + c];
+      }
+      some = packed;
+    }
+    return type === "Float32Array" ? /** @type {Float32Array} */ (some) : native.round(id, /** @type {Float64Array} */ (some));
   };
-  return { count, portion };
+  return { count: Math.ceil((elements.length - offset) / stride), stride, portion };
 }
 
 /**
- * Elements without the gaps between them.
- *
- * @param {Elements} from @param {number} begin @param {number} stride @param {number} width @param {number} count
- */
-function pack(from, begin, stride, width, count) {
-  if (stride === width) return from.subarray(begin, begin + count * width);
-  const packed = typeOf(from) === "Float32Array" ? new Float32Array(count * width) : new Float64Array(count * width);
-  for (let i = 0; i < count; i++) {
-    for (let c = 0; c < width; c++) packed[i * width + c] = from[begin + i * stride + c];
-  }
-  return packed;
-}
-
-/**
- * Writes elements back to their places in an array.
- *
- * @param {Float32Array} packed @param {Elements} to @param {number} begin @param {number} stride @param {number} width
- */
-function unpack(packed, to, begin, stride, width) {
-  for (let i = 0; i < packed.length; i++) to[begin + Math.floor(i / width) * stride + (i % width)] = packed[i];
-}
-
-/**
- * An array to write to, and the one that is to be filled: mostly the same.
+ * An array to write to: `out` where it can be.
  *
  * @template {Codes | Float32Array} T
- * @param {unknown} out @param {new (length: number) => T} ArrayType @param {number} length @param {ArrayBufferView} source
- * @returns {[T, T]}
+ * @param {T | undefined} out @param {new (length: number) => T} ArrayType @param {number} length @param {ArrayBufferView} source
  */
 function output(out, ArrayType, length, source) {
-  if (out === undefined) {
-    const made = new ArrayType(length);
-    return [made, made];
-  }
-  const given = /** @type {T} */ (out);
+  if (out === undefined) return new ArrayType(length);
   if (typeOf(out) !== ArrayType.name) throw new TypeError(`out is a ${ArrayType.name} of ${length}, not ${typeOf(out)}`);
-  if (given.length !== length) throw new RangeError(`out has ${given.length} numbers; it needs ${length}`);
-  return [given.buffer === source.buffer ? new ArrayType(length) : given, given];
+  if (out.length !== length) throw new RangeError(`out has ${out.length} numbers; it needs ${length}`);
+  return out.buffer === source.buffer ? new ArrayType(length) : out;
 }
 
-/**
- * @template {Codes | Float32Array} T
- * @param {T} written @param {T} result
- */
-function filled(written, result) {
-  // Both are of one type.
-  if (written !== result) result.set(/** @type {any} */ (written));
-  return result;
+/** What was written, moved to `out` where that lies in the buffer of the input. @template T @param {T | undefined} out @param {T} written */
+function filled(out, written) {
+  if (out === undefined || out === written) return written;
+  /** @type {any} */ (out).set(written);
+  return out;
 }
 
-/** @param {number} total @param {(first: number, count: number) => void} each */
+/** An empty array is a portion, too: what is wrong is told. @param {number} total @param {(first: number, count: number) => void} each */
 function inPortions(total, each) {
-  // An empty array is checked like any other.
   for (let first = 0; first === 0 || first < total; first += PORTION) each(first, Math.min(PORTION, total - first));
 }
 

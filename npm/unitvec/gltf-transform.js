@@ -18,7 +18,10 @@ export function snapNormals({ codec: name = "gltf-snorm8" } = {}) {
   snap(new Float32Array(), by);
   return function snapNormals(document) {
     const done = new Set();
-    for (const primitive of document.getRoot().listMeshes().flatMap((mesh) => mesh.listPrimitives())) {
+    for (const primitive of document
+      .getRoot()
+      .listMeshes()
+      .flatMap((mesh) => mesh.listPrimitives())) {
       const [normals, tangents] = ["NORMAL", "TANGENT"].map((semantic) => primitive.getAttribute(semantic));
       for (const accessors of by.element === "frames" ? [[normals, tangents]] : [[normals], [tangents]]) {
         // Primitives share accessors.

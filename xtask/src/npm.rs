@@ -37,6 +37,11 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
     for (instructions, dist) in [("-simd128", &narrow), (WIDE, &emptied(folder.join("dist"))?)] {
         build(instructions, dist)?;
     }
+    // npm packs no links, and nothing from outside the folder.
+    for licence in ["LICENSE-APACHE", "LICENSE-MIT"] {
+        let to = folder.join("dist").join(licence);
+        fs::copy(repository().join(licence), &to).map_err(at(&to))?;
+    }
     run_command(npm(&folder).args(["run", "--silent", "types"]))?;
     if build_alone {
         return Ok(());
