@@ -413,7 +413,6 @@ pub static RECORDS: &[Record] = &[
         minutes: 8,
         needs: "what `npm` needs",
         renew: npm::sizes,
-        ..FILE
     },
     Record {
         name: "figures",
