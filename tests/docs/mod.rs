@@ -28,6 +28,7 @@ mod stubs;
 mod tables;
 pub mod textbook;
 mod torus;
+mod web;
 
 use serde::Deserialize;
 use std::path::{Path, PathBuf};

@@ -3,7 +3,7 @@
 use super::accuracy::{self, Errors};
 use super::{
     blocks, compare, costs, devices, dither, drivers, filtering, formats, imprecise, interop, languages,
-    markdown_table, orders, papers, pictures, processors, projected, seen, slices, textbook,
+    markdown_table, orders, papers, pictures, processors, projected, seen, slices, textbook, web,
 };
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -71,6 +71,8 @@ pub fn table(name: &str) -> Option<String> {
         "textbook" => textbook::table(),
         "textbook-input" => textbook::input_table(),
         "slices-machine" => slices::machine(),
+        "web-engines" => web::engines(),
+        "web-sizes" => web::sizes(rest),
         _ => return None,
     })
 }

@@ -35,7 +35,7 @@ pub fn files(folder: &Path, extensions: &[&str]) -> Vec<PathBuf> {
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        if path.is_dir() && !["target", "node_modules"].contains(&&*name) && !name.starts_with('.') {
+        if path.is_dir() && !["target", "node_modules"].contains(&name.as_str()) && !name.starts_with('.') {
             found.extend(files(&path, extensions));
         } else if extensions.iter().any(|extension| name.ends_with(extension)) {
             found.push(path);

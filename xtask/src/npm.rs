@@ -20,10 +20,10 @@ const TESTS: [&str; 3] = ["arrays", "bits", "package"];
 /// Versions of Node.js beside the one here, by their names in `package.json`.
 const OTHER_NODES: [&str; 2] = ["node-18", "node-newest"];
 
-/// `cargo xtask npm [--build] [--all]`.
+/// `cargo xtask npm [--build] [--all] [--record]`: the last writes what engines draw to `docs/data/`.
 pub fn run(arguments: &[String]) -> Result<(), String> {
     let mut others = arguments.to_vec();
-    let [build_alone, all] = ["--build", "--all"].map(|option| take(&mut others, option));
+    let [build_alone, all, record] = ["--build", "--all", "--record"].map(|option| take(&mut others, option));
     if let Some(unknown) = others.first() {
         return Err(format!("npm takes no {unknown}"));
     }
@@ -45,7 +45,7 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
     }
     let narrow = emptied(cache(FOLDER)?.join("narrow"))?;
     build("-simd128", &narrow)?;
-    test(&folder, &narrow, all)
+    test(&folder, &narrow, all, record)
 }
 
 /// Builds the module for these instructions, and what calls it.
@@ -69,7 +69,7 @@ pub fn install(folder: &Path) -> Result<(), String> {
 }
 
 /// Packs the package, installs the archive into an empty folder, and runs the tests on it.
-fn test(folder: &Path, narrow: &Path, all: bool) -> Result<(), String> {
+fn test(folder: &Path, narrow: &Path, all: bool, record: bool) -> Result<(), String> {
     let unitvec = program()?;
     let empty = emptied(cache(FOLDER)?.join("installed"))?;
     run_command(npm(folder).args(["pack", "--silent", "--pack-destination"]).arg(&empty))?;
@@ -91,9 +91,19 @@ fn test(folder: &Path, narrow: &Path, all: bool) -> Result<(), String> {
     let here = Path::new("node");
     run_command(tests(here, &TESTS).envs(chromium()?))?;
     run_command(tests(here, &["bits"]).env("UNITVEC_WASM", narrow.join("unitvec.wasm")))?;
+    let mut engines = tests(here, &["gltf-codes", "engines"]);
+    run_command(engines.envs(chromium()?).envs(record.then_some(("UNITVEC_RECORD", "1"))))?;
     OTHER_NODES.iter().try_for_each(|name| {
         run_command(&mut tests(&folder.join("node_modules").join(name).join("bin/node"), &TESTS))
     })
+}
+
+/// Measures GLB files, and what engines take to load them.
+pub fn sizes() -> Result<(), String> {
+    run(&["--build".to_owned()])?;
+    let mut sizes = Command::new("node");
+    sizes.args(["benchmarks/sizes.js", "../docs/data/web_sizes.csv"]).current_dir(repository().join("npm"));
+    run_command(sizes.envs(chromium()?))
 }
 
 /// The variables by which tests find Chromium; none where there is none.

@@ -386,12 +386,15 @@ pub static RECORDS: &[Record] = &[
     },
     Record {
         name: "npm",
-        from: "the npm package from its archive, its tests, and the program beside it: a run that leaves no file",
+        outputs: &[Bytes("docs/data/web_engines.csv")],
+        from: "the npm package from its archive, its tests, and the program beside it; its materials in engines",
         inputs: &[
             CODECS,
             &[
                 Code("catalogue/src/*.rs npm/src/*.rs xtask/npm/src/*.rs"),
-                Code("npm/unitvec/*.js npm/tests/*.js shaders/glsl-es/* shaders/wgsl/*"),
+                Code(
+                    "npm/unitvec/*.js npm/tests/*.js npm/tests/engines/*.js shaders/glsl-es/* shaders/wgsl/*",
+                ),
                 Bytes(
                     "npm/Cargo.toml npm/package-lock.json npm/package.json npm/README.md npm/tsconfig.json",
                 ),
@@ -399,7 +402,7 @@ pub static RECORDS: &[Record] = &[
         ],
         minutes: 4,
         needs: "Debian 12 on amd64, npm and Chromium, which it fetches, and rustup",
-        renew: || npm::run(&[]),
+        renew: || npm::run(&["--record".to_owned()]),
         ..RUN
     },
     Record {
@@ -418,6 +421,16 @@ pub static RECORDS: &[Record] = &[
         needs: "Debian 12 on amd64, npm and Chromium, which it fetches, and rustup",
         renew: || web::run(&["--record".to_owned()]),
         ..RUN
+    },
+    Record {
+        name: "web-sizes",
+        outputs: &[Bytes("docs/data/web_sizes.csv")],
+        from: "GLB files with normals in several formats, loaded in three.js and Babylon.js, with nothing else running",
+        inputs: &[&[Code("npm/benchmarks/*.js npm/unitvec/*.js")]],
+        group: "timings",
+        minutes: 8,
+        needs: "what `npm` needs",
+        renew: npm::sizes,
     },
     Record {
         name: "figures",
