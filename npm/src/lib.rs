@@ -2,7 +2,7 @@
 //! divides what users pass.
 
 use js_sys::{Array, RangeError};
-use unitvec_catalogue::{AnyCodec, CODECS, Domain, Element, Null, WRAPPED, find_any, formats};
+use unitvec_catalogue::{AnyCodec, CODECS, Domain, Element, Null, Operation, WRAPPED, find_any, formats};
 use wasm_bindgen::prelude::*;
 
 type Result<T> = std::result::Result<T, JsValue>;
@@ -38,6 +38,8 @@ pub fn codec(name: &str) -> Result<Array> {
     let measured = codec.element.directions().first().and_then(|part| codec.measured(part));
     let (mean, max) = measured.map_or((f64::NAN, f64::NAN), |errors| (errors.mean_deg, errors.max_deg));
     let bounds: Array = codec.max_errors_deg.iter().map(|&bound| JsValue::from(bound)).collect();
+    let cost = |operation| JsValue::from(codec.cost(operation).unwrap_or(f64::NAN));
+    let costs: Array = Operation::ALL.into_iter().map(cost).collect();
     let [bits, bytes, floats] = [codec.bits, codec.bytes as u32, codec.element.floats() as u32];
     Ok([
         codec.id.into(),
@@ -50,6 +52,8 @@ pub fn codec(name: &str) -> Result<Array> {
         null,
         mean.into(),
         max.into(),
+        costs.into(),
+        codec.is_unit.into(),
     ]
     .into_iter()
     .collect::<Array<JsValue>>())
