@@ -1,7 +1,7 @@
 //! Needs of callers from other languages: doubles, codes as integers of the machine, errors of arrays, and processes that fork.
 
 use crate::cpu::resized;
-use crate::{AnyCodec, Element, Measure, Null, has_direction};
+use crate::{AnyCodec, Dither, Element, Measure, Null, has_direction, integer};
 use std::borrow::Cow;
 use std::process;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -35,6 +35,15 @@ fn round_part((from, to): (&[f64], &mut [f32])) {
     }
 }
 
+/// What to do besides coding each vector: nothing, unless said.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Manner<'a> {
+    /// The code that vectors without a usable direction get, and that is decoded to zeros.
+    pub null: Option<Null<'a>>,
+    /// Dithered functions, and an offset of two floats for each vector.
+    pub dither: Option<(Dither<'a>, &'a [f32])>,
+}
+
 impl AnyCodec {
     /// Bytes of the smallest integer that holds a code: 1, 2, 4 or 8.
     pub const fn integer_bytes(&self) -> usize {
@@ -42,13 +51,15 @@ impl AnyCodec {
     }
 
     /// Encodes elements to little-endian integers of [`integer_bytes`](Self::integer_bytes) each, on the calling thread. Their
-    /// bits above the codes are 0. With a null code, vectors without a usable direction get it.
+    /// bits above the codes are 0.
     ///
     /// ```
-    /// let codec = unitvec_catalogue::find("oct24p")?;
+    /// # use unitvec_catalogue::{Manner, find};
+    /// let codec = find("oct24p")?;
+    /// let null = codec.null()?;
     /// let mut integers = [0xff; 4];
-    /// codec.encode_integers(&[0.0, 0.0, 0.0], &mut integers, Some(codec.null()?))?;
-    /// assert_eq!(u64::from(u32::from_le_bytes(integers)), codec.null()?.code);
+    /// codec.encode_integers(&[0.0, 0.0, 0.0], &mut integers, Manner { null: Some(null), dither: None })?;
+    /// assert_eq!(u64::from(u32::from_le_bytes(integers)), null.code);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
@@ -58,23 +69,15 @@ impl AnyCodec {
         &self,
         elements: &[f32],
         integers: &mut [u8],
-        null: Option<Null<'_>>,
+        manner: Manner<'_>,
     ) -> Result<(), LengthMismatch> {
-        self.fill_integers(integers, |codes| {
-            self.encode_here(elements, codes)?;
-            null.map_or(Ok(0), |null| null.put(elements, codes)).map(drop)
-        })
-    }
-
-    /// Fills integers, as [`encode_integers`](Self::encode_integers) does, with the packed codes that `encode` writes.
-    ///
-    /// # Errors
-    /// Those of `encode`.
-    pub fn fill_integers(
-        &self,
-        integers: &mut [u8],
-        encode: impl FnOnce(&mut [u8]) -> Result<(), LengthMismatch>,
-    ) -> Result<(), LengthMismatch> {
+        let encode = |codes: &mut [u8]| {
+            match manner.dither {
+                Some((dither, offsets)) => dither.encode(elements, offsets, codes)?,
+                None => self.encode_here(elements, codes)?,
+            }
+            manner.null.map_or(Ok(0), |null| null.put(elements, codes)).map(drop)
+        };
         let size = self.integer_bytes();
         if size == self.bytes {
             return encode(integers);
@@ -92,12 +95,10 @@ impl AnyCodec {
         if self.bits == 8 * size as u32 {
             return None;
         }
-        let number = |integer: &[u8]| integer.iter().rev().fold(0, |sum, byte| sum << 8 | u64::from(*byte));
-        integers.chunks_exact(size).map(number).find(|integer| integer >> self.bits > 0)
+        integers.chunks_exact(size).map(integer).find(|integer| integer >> self.bits > 0)
     }
 
-    /// Decodes integers as [`encode_integers`](Self::encode_integers) makes them, on the calling thread. With a null code, its
-    /// vectors become zeros.
+    /// Decodes integers as [`encode_integers`](Self::encode_integers) makes them, on the calling thread.
     ///
     /// # Errors
     /// The slices hold different numbers of elements.
@@ -105,22 +106,20 @@ impl AnyCodec {
         &self,
         integers: &[u8],
         elements: &mut [f32],
-        null: Option<Null<'_>>,
+        manner: Manner<'_>,
     ) -> Result<(), LengthMismatch> {
-        let codes = self.packed(integers);
-        self.decode_here(&codes, elements)?;
-        null.map_or(Ok(()), |null| null.clear(&codes, elements))
-    }
-
-    /// The packed codes of integers.
-    pub fn packed<'a>(&self, integers: &'a [u8]) -> Cow<'a, [u8]> {
         let size = self.integer_bytes();
-        if size == self.bytes {
-            return Cow::Borrowed(integers);
+        let mut codes = Cow::Borrowed(integers);
+        if size != self.bytes {
+            let mut packed = vec![0; integers.len() / size * self.bytes];
+            copy_each((integers, size), (&mut packed, self.bytes));
+            codes = Cow::Owned(packed);
         }
-        let mut codes = vec![0; integers.len() / size * self.bytes];
-        copy_each((integers, size), (&mut codes, self.bytes));
-        Cow::Owned(codes)
+        match manner.dither {
+            Some((dither, offsets)) => dither.decode(&codes, offsets, elements)?,
+            None => self.decode_here(&codes, elements)?,
+        }
+        manner.null.map_or(Ok(()), |null| null.clear(&codes, elements))
     }
 
     /// The error of each part of each element after encoding and decoding, as [`measure`](Self::measure) defines it; NaN where
@@ -144,9 +143,7 @@ impl AnyCodec {
         }
         Ok(())
     }
-}
 
-impl AnyCodec {
     /// True where it keeps directions, so that [`snapped`](Self::snapped) has something to move.
     pub fn keeps_directions(&self) -> bool {
         self.element != Element::Rotation && self.measure() == Measure::Angle

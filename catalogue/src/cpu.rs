@@ -1,6 +1,6 @@
 //! The CPU functions of a codec, as pointers: all codecs have the same type.
 
-use crate::RECOMMENDED;
+use crate::{RECOMMENDED, integer};
 use std::sync::OnceLock;
 use unitvec::best_fit::{EncodeByTable, TABLE_WORDS, fill_table};
 use unitvec::codec::RawCode;
@@ -97,7 +97,7 @@ fn encode_each<C: Codec>(_: Level, vectors: &[[f32; 3]], codes: &mut [u8]) -> Re
 fn decode_each<C: Codec>(_: Level, codes: &[u8], vectors: &mut [[f32; 3]]) -> Result<(), LengthMismatch> {
     expect_length(vectors.len() * C::BYTES, codes.len())?;
     for (code, vector) in codes.chunks_exact(C::BYTES).zip(vectors) {
-        let code = code.iter().rev().fold(0, |code, byte| code << 8 | u64::from(*byte));
+        let code = integer(code);
         *vector = decode_one::<C>([code as u32, (code >> 32) as u32]);
     }
     Ok(())

@@ -1,6 +1,6 @@
 //! Dithered codes of codecs that are chosen at run time.
 
-use crate::{AnyCodec, CODECS};
+use crate::{AnyCodec, CODECS, integer};
 use unitvec::Codec;
 use unitvec::codec::RawCode;
 use unitvec::dither::Dithered;
@@ -108,7 +108,7 @@ impl Dither<'_> {
         expect_length(2 * self.codec.count(vectors.len(), codes.len())?, offsets.len())?;
         let pairs = codes.chunks_exact(self.codec.bytes).zip(offsets.chunks_exact(2));
         for ((code, offset), vector) in pairs.zip(vectors.chunks_exact_mut(3)) {
-            let word = code.iter().rev().fold(0, |word, byte| word << 8 | u64::from(*byte));
+            let word = integer(code);
             let decoded = (self.decode_one)([word as u32, (word >> 32) as u32], Vec2::from_slice(offset));
             vector.copy_from_slice(&decoded.to_array());
         }

@@ -38,7 +38,7 @@ use unitvec::{Codec, Listed, ListedFrame, ListedRotation, angle_deg, rotation_an
 #[cfg(doc)]
 use unitvec::{FrameCodec, RotationCodec};
 
-pub use callers::has_threads;
+pub use callers::{Manner, has_threads};
 pub use cpu::best_fit_table;
 pub use dither::{Dither, NoDither};
 pub use formats::{find_any, formats};
@@ -412,6 +412,11 @@ fn suggestion(name: &str) -> String {
     let close = CODECS.iter().chain(&WRAPPED).map(|codec| codec.id).filter(|id| letters(id) == letters(name));
     let close: Vec<&str> = close.collect();
     if close.is_empty() { String::new() } else { format!("did you mean {}? ", close.join(", ")) }
+}
+
+/// The integer of these bytes, of which the first is the lowest.
+fn integer(bytes: &[u8]) -> u64 {
+    bytes.iter().rev().fold(0, |sum, byte| sum << 8 | u64::from(*byte))
 }
 
 /// The codec of this name: its identifier, the survey's name, or the name of its type, in upper or lower case.

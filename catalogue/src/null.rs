@@ -1,6 +1,6 @@
 //! Null codes of codecs that are chosen at run time.
 
-use crate::{AnyCodec, WRAPPED, vectors};
+use crate::{AnyCodec, WRAPPED, integer, vectors};
 use unitvec::direction::{is_usable, l1_norm};
 use unitvec::glam::Vec3;
 use unitvec::slice::LengthMismatch;
@@ -72,8 +72,7 @@ impl Null<'_> {
     /// The error of [`AnyCodec::count`]. Nothing is written then.
     pub fn clear(self, codes: &[u8], vectors: &mut [f32]) -> Result<(), LengthMismatch> {
         self.codec.count(vectors.len(), codes.len())?;
-        let number = |code: &[u8]| code.iter().rev().fold(0, |code, byte| code << 8 | u64::from(*byte));
-        let is_null = |code| (number(code) ^ self.code) << (64 - self.codec.bits) == 0;
+        let is_null = |code| (integer(code) ^ self.code) << (64 - self.codec.bits) == 0;
         let pairs = codes.chunks_exact(self.codec.bytes).zip(vectors.chunks_exact_mut(3));
         pairs.filter(|(code, _)| is_null(code)).for_each(|(_, vector)| vector.fill(0.0));
         Ok(())

@@ -2,7 +2,7 @@
 //! divides what users pass.
 
 use js_sys::{Array, RangeError};
-use unitvec_catalogue::{AnyCodec, CODECS, Domain, Element, Null, Operation, WRAPPED, find_any, formats};
+use unitvec_catalogue::{AnyCodec, CODECS, Domain, Element, Manner, Operation, WRAPPED, find_any, formats};
 use wasm_bindgen::prelude::*;
 
 type Result<T> = std::result::Result<T, JsValue>;
@@ -15,9 +15,10 @@ fn find(name: &str) -> Result<&'static AnyCodec> {
     find_any(name).map_err(invalid)
 }
 
-/// The null code, where it is asked for.
-fn null_of(codec: &AnyCodec, is_asked: bool) -> Result<Option<Null<'_>>> {
-    is_asked.then(|| codec.null().map_err(invalid)).transpose()
+/// Coding with the codec's null code where it is asked for.
+fn manner(codec: &AnyCodec, null: bool) -> Result<Manner<'_>> {
+    let null = null.then(|| codec.null().map_err(invalid)).transpose()?;
+    Ok(Manner { null, ..Manner::default() })
 }
 
 /// The version of the package.
@@ -79,7 +80,7 @@ pub fn round(name: &str, doubles: &[f64]) -> Result<Vec<f32>> {
 #[wasm_bindgen]
 pub fn encode(name: &str, elements: &[f32], integers: &mut [u8], null: bool) -> Result<()> {
     let codec = find(name)?;
-    codec.encode_integers(elements, integers, null_of(codec, null)?).map_err(invalid)
+    codec.encode_integers(elements, integers, manner(codec, null)?).map_err(invalid)
 }
 
 /// Decodes integers.
@@ -90,7 +91,7 @@ pub fn decode(name: &str, integers: &[u8], elements: &mut [f32], null: bool) -> 
         let (id, bits) = (codec.id, codec.bits);
         return Err(invalid(format!("{beyond} is no code of {id}, which has {bits} bits")));
     }
-    codec.decode_integers(integers, elements, null_of(codec, null)?).map_err(invalid)
+    codec.decode_integers(integers, elements, manner(codec, null)?).map_err(invalid)
 }
 
 /// The error of each part of each element after encoding and decoding; NaN where there is none.

@@ -4,12 +4,14 @@
 mod portions;
 
 use numpy::{PyReadonlyArray1, PyReadwriteArray1};
-use portions::{Floats, Manner, Pool};
+use portions::{Floats, Pool};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use unitvec::dither::{dither_from_key, dither_from_pixel, dither_from_position};
 use unitvec::glam::{UVec2, Vec2, Vec3};
-use unitvec_catalogue::{AnyCodec, CODECS, Dither, Domain, Null, Operation, WRAPPED, find_any, formats};
+use unitvec_catalogue::{
+    AnyCodec, CODECS, Dither, Domain, Manner, Null, Operation, WRAPPED, find_any, formats,
+};
 
 /// Elements as they lie in an array without gaps.
 #[derive(FromPyObject)]
@@ -43,12 +45,15 @@ fn find(name: &str) -> PyResult<&'static AnyCodec> {
 /// Whether null codes are asked for, the offsets of dithered codes, and the number of threads.
 type Options<'py> = (bool, Option<PyReadonlyArray1<'py, f32>>, Option<usize>);
 
-fn manner<'a>(codec: &'a AnyCodec, (null, offsets, threads): &'a Options<'_>) -> PyResult<Manner<'a>> {
+fn manner<'a>(
+    codec: &'a AnyCodec,
+    (null, offsets, threads): &'a Options<'_>,
+) -> PyResult<(Manner<'a>, Pool)> {
     let null: Option<Null<'_>> = null.then(|| codec.null().map_err(invalid)).transpose()?;
     let with = |offsets: &'a PyReadonlyArray1<'_, f32>| -> PyResult<(Dither<'_>, &[f32])> {
         Ok((codec.dither().map_err(invalid)?, offsets.as_slice()?))
     };
-    Ok(Manner { null, dither: offsets.as_ref().map(with).transpose()?, pool: pool(*threads)? })
+    Ok((Manner { null, dither: offsets.as_ref().map(with).transpose()? }, pool(*threads)?))
 }
 
 /// Keys of dithered codes.
@@ -113,9 +118,9 @@ mod _native {
         options: Options<'_>,
     ) -> PyResult<()> {
         let codec = find(name)?;
-        let manner = manner(codec, &options)?;
+        let (manner, pool) = manner(codec, &options)?;
         let (floats, codes) = (elements.floats()?, codes.as_slice_mut()?);
-        py.detach(|| portions::encode(codec, floats, codes, &manner)).map_err(invalid)
+        py.detach(|| portions::encode(codec, floats, codes, &manner, &pool)).map_err(invalid)
     }
 
     /// Decodes integers.
@@ -128,9 +133,9 @@ mod _native {
         options: Options<'_>,
     ) -> PyResult<()> {
         let codec = find(name)?;
-        let manner = manner(codec, &options)?;
+        let (manner, pool) = manner(codec, &options)?;
         let (codes, elements) = (codes.as_slice()?, elements.as_slice_mut()?);
-        py.detach(|| portions::decode(codec, codes, elements, &manner)).map_err(invalid)
+        py.detach(|| portions::decode(codec, codes, elements, &manner, &pool)).map_err(invalid)
     }
 
     /// The offsets of dithered codes, two floats each: by numbers, of `width` 1, by pixels, of 2, or by positions, of 3.

@@ -4,7 +4,7 @@ use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use std::borrow::Cow;
-use unitvec_catalogue::{AnyCodec, Dither, Element, Null, has_threads};
+use unitvec_catalogue::{AnyCodec, Element, Manner, has_threads};
 
 /// Elements of a portion. The slices of `unitvec` prefetch from 1 MiB of floats on.
 const PORTION: usize = 1 << 17;
@@ -35,20 +35,10 @@ impl<'a> Floats<'a> {
     }
 }
 
-/// How to code, besides the codec.
-pub struct Manner<'a> {
-    pub null: Option<Null<'a>>,
-    /// Dithered functions, and an offset of two floats for each vector.
-    pub dither: Option<(Dither<'a>, &'a [f32])>,
-    pub pool: Pool,
-}
-
-impl<'a> Manner<'a> {
-    /// The dithered functions, and the offsets of the portion of this index.
-    fn dither(&self, index: usize) -> Option<(Dither<'a>, &'a [f32])> {
-        let portion = |offsets: &'a [f32]| offsets.chunks(PORTION * 2).nth(index).unwrap_or_default();
-        self.dither.map(|(dither, offsets)| (dither, portion(offsets)))
-    }
+/// The manner of the portion of this index.
+fn portion<'a>(manner: &Manner<'a>, index: usize) -> Manner<'a> {
+    let of = |offsets: &'a [f32]| offsets.chunks(PORTION * 2).nth(index).unwrap_or_default();
+    Manner { dither: manner.dither.map(|(dither, offsets)| (dither, of(offsets))), ..*manner }
 }
 
 /// Threads to work on.
@@ -92,29 +82,29 @@ impl Pool {
 }
 
 /// Encodes elements to little-endian integers.
-pub fn encode(codec: &AnyCodec, floats: Floats<'_>, integers: &mut [u8], manner: &Manner<'_>) -> Result {
-    manner.pool.run(integers, PORTION * codec.integer_bytes(), |index, integers| {
-        let floats = floats.portion(codec.element, index);
-        codec.fill_integers(integers, |codes| {
-            match manner.dither(index) {
-                Some((dither, offsets)) => dither.encode(&floats, offsets, codes)?,
-                None => codec.encode_here(&floats, codes)?,
-            }
-            manner.null.map_or(Ok(0), |null| null.put(&floats, codes)).map(drop)
-        })
+pub fn encode(
+    codec: &AnyCodec,
+    floats: Floats<'_>,
+    integers: &mut [u8],
+    manner: &Manner<'_>,
+    pool: &Pool,
+) -> Result {
+    pool.run(integers, PORTION * codec.integer_bytes(), |index, integers| {
+        codec.encode_integers(&floats.portion(codec.element, index), integers, portion(manner, index))
     })
 }
 
 /// Decodes little-endian integers.
-pub fn decode(codec: &AnyCodec, integers: &[u8], elements: &mut [f32], manner: &Manner<'_>) -> Result {
-    manner.pool.run(elements, PORTION * codec.element.floats(), |index, elements| {
+pub fn decode(
+    codec: &AnyCodec,
+    integers: &[u8],
+    elements: &mut [f32],
+    manner: &Manner<'_>,
+    pool: &Pool,
+) -> Result {
+    pool.run(elements, PORTION * codec.element.floats(), |index, elements| {
         let integers = integers.chunks(PORTION * codec.integer_bytes()).nth(index).unwrap_or_default();
-        let codes = codec.packed(integers);
-        match manner.dither(index) {
-            Some((dither, offsets)) => dither.decode(&codes, offsets, elements)?,
-            None => codec.decode_here(&codes, elements)?,
-        }
-        manner.null.map_or(Ok(()), |null| null.clear(&codes, elements))
+        codec.decode_integers(integers, elements, portion(manner, index))
     })
 }
 
