@@ -4,7 +4,7 @@
  */
 import { VertexBuffer } from "@babylonjs/core/Buffers/buffer.js";
 import { MaterialPluginBase } from "@babylonjs/core/Materials/materialPluginBase.js";
-import { attributeName, checkCodes, CODECS, components, glslText, isFrame, joined, STORED } from "./codes.js";
+import { attributeName, checkCodes, CODECS, components, glslText, isFrame, joined, row, STORED } from "./codes.js";
 
 /** @typedef {import("./codes.js").AttributeCodec} AttributeCodec */
 
@@ -95,7 +95,7 @@ function addPlugin(material, codec) {
 function customCode(codec) {
   const name = attributeName(codec);
   // Babylon.js binds integers of 16 bits as floats, which have them exactly.
-  const [type, code] = codec === "oct16p" ? ["float", `uint(${name})`] : ["uint", name];
+  const [type, code] = row(codec).codes === Uint16Array ? ["float", `uint(${name})`] : ["uint", name];
   const library = glslText(codec);
   const either = (/** @type {string} */ ours, /** @type {string} */ theirs) =>
     `#if UNITVEC_CODES > 0\n${ours}\n#else\n${theirs}\n#endif`;

@@ -14,14 +14,18 @@ import * as wgsl from "unitvec/wgsl";
 /**
  * Each codec's attribute in glTF files: an application-specific one (glTF 2.0, 3.7.2.1), so that loaders without the
  * package skip it. glTF forbids 32-bit integers there, so an element is the code's bits in smaller ones, low bits first.
- * @typedef {{ attribute: string, type: "SCALAR" | "VEC2" | "VEC3", array: typeof Uint8Array | typeof Uint16Array }} Row
+ * `codes` is the array that `encode` gives.
+ * @typedef {{
+ *   attribute: string, type: "SCALAR" | "VEC2" | "VEC3", array: typeof Uint8Array | typeof Uint16Array,
+ *   codes: typeof Uint16Array | typeof Uint32Array,
+ * }} Row
  * @type {Record<AttributeCodec, Row>}
  */
 export const STORED = {
-  oct16p: { attribute: "_NORMAL_OCT16P", type: "SCALAR", array: Uint16Array },
-  oct24p: { attribute: "_NORMAL_OCT24P", type: "VEC3", array: Uint8Array },
-  oct32p: { attribute: "_NORMAL_OCT32P", type: "VEC2", array: Uint16Array },
-  frame32: { attribute: "_FRAME32", type: "VEC2", array: Uint16Array },
+  oct16p: { attribute: "_NORMAL_OCT16P", type: "SCALAR", array: Uint16Array, codes: Uint16Array },
+  oct24p: { attribute: "_NORMAL_OCT24P", type: "VEC3", array: Uint8Array, codes: Uint32Array },
+  oct32p: { attribute: "_NORMAL_OCT32P", type: "VEC2", array: Uint16Array, codes: Uint32Array },
+  frame32: { attribute: "_FRAME32", type: "VEC2", array: Uint16Array, codes: Uint32Array },
 };
 
 /** The codecs that vertex attributes can hold. */
@@ -61,7 +65,7 @@ export function joined(component, count, codec) {
   const { array } = row(codec);
   const size = components(codec);
   const bits = 8 * array.BYTES_PER_ELEMENT;
-  const codes = codec === "oct16p" ? new Uint16Array(count) : new Uint32Array(count);
+  const codes = new (row(codec).codes)(count);
   for (let i = 0; i < count; i++) {
     for (let c = 0; c < size; c++) codes[i] |= component(i, c) << (bits * c);
   }
@@ -74,7 +78,7 @@ export function joined(component, count, codec) {
  * @param {AttributeCodec} codec
  */
 export function checkCodes(codes, codec) {
-  const array = row(codec) && codec === "oct16p" ? Uint16Array : Uint32Array;
+  const array = row(codec).codes;
   if (!(codes instanceof array)) {
     throw new TypeError(`codes of ${codec} must be a ${array.name}, as encode() gives them`);
   }

@@ -13,7 +13,7 @@ import { glslText, isFrame, row } from "./codes.js";
  * @param {AttributeCodec} codec
  */
 export function codesElement(codec) {
-  const type = row(codec) && codec === "oct16p" ? TYPE_UINT16 : TYPE_UINT32;
+  const type = row(codec).codes === Uint16Array ? TYPE_UINT16 : TYPE_UINT32;
   return { semantic: SEMANTIC_NORMAL, components: 1, type, asInt: true };
 }
 
