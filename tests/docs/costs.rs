@@ -84,9 +84,10 @@ fn of_copy(report: &Value, id: &str, operation: Operation) -> Option<f64> {
 /// Costs of both operations: inverse throughput on all generations of GPUs and measured arithmetic, as multiples of
 /// `oct32`'s; the other figures of RDNA 2, and the speed of the shipped kernels.
 pub fn table(rows: &str) -> String {
+    let measured = MEASURED.map(|(name, _)| name).join(" | ");
     let titles: Vec<&str> = COMPILED.iter().map(|(generation, _)| generation.title).collect();
     let titles = format!(
-        "codec: encode / decode | {} | H200 | lavapipe | RDNA 2: T | vector / v | registers | rust / glsl | % of copy: H200 | lavapipe",
+        "codec: encode / decode | {} | {measured} | RDNA 2: T | vector / v | registers | rust / glsl | % of copy: {measured}",
         titles.join(" | ")
     );
     let shown = CODECS.iter().map(|format| format.id).filter(|id| is_shown(rows, id)).map(|id| {

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use unitvec_catalogue::{AnyCodec, Domain, Element, Operation, directions};
 use unitvec_choose::Costs;
 use unitvec_choose::costs::GENERATIONS;
-use unitvec_run::shader::{Edition, Language, library, text};
+use unitvec_run::shader::{Edition, Language, text};
 
 /// Texts of many functions, which share most paragraphs.
 #[derive(Default, Serialize)]
@@ -22,20 +22,18 @@ struct Texts {
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = PathBuf::from(std::env::args_os().nth(1).ok_or("usage: page FOLDER")?);
     let costs = GENERATIONS.iter().map(|one| Costs::shipped(one.name)).collect::<Result<Vec<_>, _>>()?;
-    let functions = library()?.functions();
-    let dithered: Vec<&str> = functions.filter_map(|name| name.strip_suffix("_encode_dithered")).collect();
     let codecs = directions();
     let facts = json!({
         "version": env!("CARGO_PKG_VERSION"),
         "gpus": GENERATIONS.map(|one| format!("{} ({})", one.title, one.series)),
-        "codecs": codecs.iter().map(|one| facts(one, &costs, dithered.contains(&one.id))).collect::<Vec<_>>(),
+        "codecs": codecs.iter().map(|one| facts(one, &costs)).collect::<Vec<_>>(),
     });
     std::fs::create_dir_all(&folder)?;
     std::fs::write(folder.join("codecs.json"), facts.to_string())?;
     // Modules for Bevy are WGSL with other heads.
     let is_shown = |language: &Language| !matches!(language, Language::NagaOil | Language::Wesl);
     for language in Language::ALL.into_iter().filter(is_shown) {
-        let texts = texts(language, codecs, &dithered)?;
+        let texts = texts(language, codecs)?;
         std::fs::write(folder.join(format!("{}.json", language.id())), serde_json::to_vec(&texts)?)?;
     }
     Ok(())
@@ -43,7 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// The facts of a codec: `errors` are mean, maximum and bound in degrees, of frames for normal and tangent; `costs` are encoding
 /// and decoding in multiples of `oct32`'s, for each GPU.
-fn facts(codec: &AnyCodec, costs: &[Costs], dither: bool) -> Value {
+fn facts(codec: &AnyCodec, costs: &[Costs]) -> Value {
     let parts = codec.element.directions().iter().zip(codec.max_errors_deg);
     let errors = parts.filter_map(|(of, bound)| {
         let measured = codec.measured(of)?;
@@ -59,7 +57,7 @@ fn facts(codec: &AnyCodec, costs: &[Costs], dither: bool) -> Value {
         "bits": codec.bits,
         "bytes": codec.bytes,
         "format": codec.vk_format.map(|name| name.trim_start_matches("VK_FORMAT_")),
-        "dither": dither,
+        "dither": codec.dither().is_ok(),
         "by_table": codec.encodes_by_table,
         "uses": codec.recommended_for().collect::<Vec<_>>(),
         "errors": errors.collect::<Vec<_>>(),
@@ -67,18 +65,19 @@ fn facts(codec: &AnyCodec, costs: &[Costs], dither: bool) -> Value {
     })
 }
 
-fn texts(language: Language, codecs: &[AnyCodec], dithered: &[&str]) -> Result<Texts, Box<dyn Error>> {
+fn texts(language: Language, codecs: &[AnyCodec]) -> Result<Texts, Box<dyn Error>> {
     let (mut texts, mut known) = (Texts::default(), HashMap::new());
-    for AnyCodec { id, .. } in codecs {
+    for codec in codecs {
+        let id = codec.id;
         let [encode, decode] = ["encode", "decode"].map(|half| format!("{id}_{half}"));
         let noisy =
             [format!("{encode}_dithered"), format!("{decode}_dithered"), "dither_from_pixel".to_owned()];
         let option = format!("--function {}", noisy.join(","));
         let kinds = [
-            (id.to_string(), vec![encode, decode], format!("--codec {id}")),
+            (id.to_owned(), vec![encode, decode], format!("--codec {id}")),
             (format!("{id} dithered"), noisy.to_vec(), option),
         ];
-        for (key, functions, option) in kinds.into_iter().take(1 + usize::from(dithered.contains(id))) {
+        for (key, functions, option) in kinds.into_iter().take(1 + usize::from(codec.dither().is_ok())) {
             let command = format!("unitvec shader --language {} {option}", language.id());
             let text = text(&functions, language, Edition::Plain, &command)?;
             let mut place = |paragraph: &str| {

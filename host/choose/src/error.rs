@@ -67,7 +67,7 @@ fn unknown(name: &str) -> String {
     )
 }
 
-/// The devices that were measured: `h200 or lavapipe`.
+/// The devices that were measured: `H200 or lavapipe`.
 fn measured() -> String {
     MEASURED.map(|(name, _)| name).join(" or ")
 }

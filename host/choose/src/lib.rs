@@ -64,7 +64,7 @@ struct ReportRow {
 
 /// Devices that `unitvec bench device` ran on, with its reports: NVIDIA's H200, and Mesa's driver for CPUs.
 pub const MEASURED: [(&str, &[u8]); 2] = [
-    ("h200", include_bytes!("../data/costs_h200.json")),
+    ("H200", include_bytes!("../data/costs_h200.json")),
     ("lavapipe", include_bytes!("../data/costs_lavapipe.json")),
 ];
 
@@ -79,7 +79,7 @@ impl Costs {
         }
         let measured = MEASURED.iter().find(|(known, _)| name.eq_ignore_ascii_case(known));
         let (name, report) = measured.ok_or_else(|| Error::UnknownGpu(name.to_owned()))?;
-        Self::parse(Path::new(&format!("host/choose/data/costs_{name}.json")), report)
+        Self::parse(Path::new(&format!("host/choose/data/costs_{}.json", name.to_lowercase())), report)
     }
 
     /// The costs in a report of `unitvec bench device --json` or `unitvec bench compiler --json`.
