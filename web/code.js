@@ -23,13 +23,13 @@ let code = ${type}::encode(normal); // [f32; 3], or the Vec3 of any library
 let back: [f32; 3] = ${type}::decode(code);
 `,
   Python: ({ id, frame, dither }) => `import numpy as np, unitvec
-${dither ? "\n# Without dither, which Rust and the shading languages have" : ""}
+
 # float32 or float64 of shape (..., ${frame ? "7): normal, tangent, handedness" : "3)"}
-codes = unitvec.encode(${frame ? "frames" : "normals"}, "${id}")
-back = unitvec.decode(codes, "${id}")
+${dither ? "keys = np.arange(len(normals)) # both sides need the same\n" : ""}codes = unitvec.encode(${frame ? "frames" : "normals"}, "${id}"${dither ? ", dither=keys" : ""})
+back = unitvec.decode(codes, "${id}"${dither ? ", dither=keys" : ""})
 `,
   JavaScript: ({ id, frame, dither }) => `import { encode, decode } from "unitvec";
-${dither ? "\n// Without dither, which Rust and the shading languages have" : ""}
+${dither ? "\n// Without dither, which the other languages have" : ""}
 // Float32Array, ${frame ? "7 numbers a frame: normal, tangent, handedness" : "3 numbers a vector"}
 const codes = encode(${frame ? "frames" : "normals"}, "${id}");
 const back = decode(codes, "${id}");
