@@ -1,5 +1,8 @@
 /** What tests in Node.js and in browsers share. */
 
+// Node.js 18 has no global one.
+const { subtle } = globalThis.crypto ?? (await import("node:crypto")).webcrypto;
+
 /** Numbers in [0, 1), the same sequence each time: mulberry32. */
 export function generator(seed) {
   return () => {
@@ -32,7 +35,7 @@ export async function digests(unitvec, count) {
   const rows = {};
   for (const codec of [...unitvec.codecs(), ...unitvec.formats()]) {
     const codes = unitvec.encode(inputs(codec, count), codec);
-    const hashes = [codes, unitvec.decode(codes, codec)].map((array) => crypto.subtle.digest("SHA-256", array));
+    const hashes = [codes, unitvec.decode(codes, codec)].map((array) => subtle.digest("SHA-256", array));
     rows[codec.id] = (await Promise.all(hashes)).map((hash) => new Uint8Array(hash).slice(0, 8).join(" ")).join(", ");
   }
   return rows;
