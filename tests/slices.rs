@@ -8,7 +8,8 @@ use unitvec::arith::snorm_encode;
 use unitvec::codec::RawCode;
 use unitvec::slice::machine::Level;
 use unitvec::slice::{
-    decode_slice, decode_slice_i16x4, decode_slice_i16x4_at, encode_slice, par_decode_slice, par_encode_slice,
+    LengthMismatch, decode_slice, decode_slice_at, decode_slice_i16x4, decode_slice_i16x4_at, encode_slice,
+    encode_slice_at, par_decode_slice, par_encode_slice,
 };
 use unitvec::table::DecodeTable;
 use unitvec::{Codec, Listed, Oct16, Oct24, Oct48, OctPrecise32, OctPrecise52, OrNull, for_each_codec};
@@ -55,7 +56,12 @@ fn bits<const N: usize>(elements: &[[f32; N]]) -> Vec<[u32; N]> {
     elements.iter().map(|v| v.map(f32::to_bits)).collect()
 }
 
-/// Slices of these lengths, at every level, hold the scalar functions' results.
+/// Every instruction set of this machine, with ordinary and with streaming stores.
+fn levels() -> impl Iterator<Item = Level> {
+    Level::available().flat_map(|level| [level, level.for_output(usize::MAX)])
+}
+
+/// Slices of these lengths, at every level and in all places of a cache line, hold the scalar functions' results.
 fn check_levels<const N: usize>(
     codec: &AnyCodec,
     lengths: impl Iterator<Item = usize>,
@@ -66,15 +72,20 @@ fn check_levels<const N: usize>(
     let decoded: Vec<[f32; N]> =
         bytes.chunks_exact(codec.bytes).map(|code| codec.decode_one(words(code))).collect();
     for count in lengths {
-        let size = count * codec.bytes;
-        for level in Level::available() {
-            let mut actual = vec![0xA5; size];
-            codec.encode_at(level, elements[..count].as_flattened(), &mut actual).unwrap();
-            assert_eq!(actual, codes[..size], "{} {level:?} {count}", codec.id);
+        let (size, start) = (count * codec.bytes, count % 16);
+        for level in levels() {
+            let mut actual = vec![0xA5; start + size];
+            codec.encode_at(level, elements[..count].as_flattened(), &mut actual[start..]).unwrap();
+            assert_eq!(
+                actual,
+                [&[0xA5; 16][..start], &codes[..size]].concat(),
+                "{} {level:?} {count}",
+                codec.id
+            );
 
-            let mut actual = vec![[f32::NAN; N]; count];
-            codec.decode_at(level, &bytes[..size], actual.as_flattened_mut()).unwrap();
-            assert_eq!(bits(&actual), bits(&decoded[..count]), "{} {level:?} {count}", codec.id);
+            let mut actual = vec![[f32::NAN; N]; start + count];
+            codec.decode_at(level, &bytes[..size], actual[start..].as_flattened_mut()).unwrap();
+            assert_eq!(bits(&actual[start..]), bits(&decoded[..count]), "{} {level:?} {count}", codec.id);
         }
     }
 }
@@ -171,7 +182,7 @@ fn check_i16x4<C: Listed>(bytes: &[u8]) {
     let expected: Vec<[i16; 4]> =
         decoded.map(|[x, y, z]| [x, y, z, 0.0].map(|t| snorm_encode(t, 16) as i16)).collect();
     for count in LENGTHS {
-        for level in Level::available() {
+        for level in levels() {
             let mut actual = vec![[1; 4]; count];
             decode_slice_i16x4_at::<C>(level, &bytes[..count * C::BYTES], &mut actual).unwrap();
             assert_eq!(actual, expected[..count], "{} {level:?} {count}", C::NAME);
@@ -189,19 +200,29 @@ fn i16x4_at_every_length() {
     for_each_codec!(check_all);
 }
 
+/// [`encode_slice`] with streaming stores.
+fn stream_codes<C: Codec>(vectors: &[[f32; 3]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+    encode_slice_at::<C>(Level::best().for_output(usize::MAX), vectors, codes)
+}
+
+/// [`decode_slice`] with streaming stores.
+fn stream_vectors<C: Codec>(codes: &[u8], vectors: &mut [[f32; 3]]) -> Result<(), LengthMismatch> {
+    decode_slice_at::<C>(Level::best().for_output(usize::MAX), codes, vectors)
+}
+
 /// All cores, over several portions and a rest, and a slice so large that memory is asked for ahead.
 fn check_parallel<C: Listed>(vectors: &[[f32; 3]]) {
     let code = |v: &[f32; 3]| C::encode(*v).to_words();
     let bytes = |[low, high]: [u32; 2]| [low.to_le_bytes(), high.to_le_bytes()].concat();
     let expected: Vec<u8> = vectors.iter().flat_map(|v| bytes(code(v)).into_iter().take(C::BYTES)).collect();
-    for encode in [encode_slice::<C>, par_encode_slice::<C>] {
+    for encode in [encode_slice::<C>, par_encode_slice::<C>, stream_codes::<C>] {
         let mut codes = vec![0xA5; expected.len()];
         encode(vectors, &mut codes).unwrap();
         assert!(codes == expected, "{}", C::NAME);
         assert!(encode(&vectors[1..], &mut codes).is_err(), "{}", C::NAME);
     }
     let decoded: Vec<[f32; 3]> = expected.chunks_exact(C::BYTES).map(decode_generic::<C>).collect();
-    for decode in [decode_slice::<C>, par_decode_slice::<C>] {
+    for decode in [decode_slice::<C>, par_decode_slice::<C>, stream_vectors::<C>] {
         let mut actual = vec![[f32::NAN; 3]; vectors.len()];
         decode(&expected, &mut actual).unwrap();
         assert!(bits(&actual) == bits(&decoded), "{}", C::NAME);

@@ -11,6 +11,7 @@ use std::hint::black_box;
 use std::time::Duration;
 use unitvec::Listed;
 use unitvec::interop::{Format, ROWS};
+use unitvec::slice::machine::{Level, Stream};
 use unitvec::slice::{decode_slice, decode_slice_i16x4, encode_slice, par_decode_slice, par_encode_slice};
 use unitvec::table::DecodeTable;
 use unitvec::{
@@ -111,6 +112,25 @@ fn copy<T: Copy>(group: &mut BenchmarkGroup<WallTime>, name: &str, items: &[T]) 
     group.bench_function(name, |b| b.iter(|| black_box(&mut copied).copy_from_slice(black_box(items))));
 }
 
+/// Streaming stores of 12 bytes for each 4 that are read: what decoding moves.
+fn stream(group: &mut BenchmarkGroup<WallTime>, codes: &[u8], vectors: &[[f32; 3]]) {
+    let level = Level::best().for_output(usize::MAX);
+    let mut copied = vectors.to_vec();
+    let at_line = level.before_line(&copied, size_of::<[f32; 3]>());
+    group.bench_function("stream12", |b| {
+        b.iter(|| {
+            let copied = &mut black_box(&mut copied)[at_line..];
+            let Some(mut stream) = Stream::<_, 64>::to(level, copied) else { return };
+            for (to, from) in copied.chunks_exact_mut(64).zip(black_box(codes).chunks_exact(256)) {
+                for (to, from) in stream.lines.iter_mut().zip(from.chunks_exact(4)) {
+                    *to = [f32::from_ne_bytes([from[0], from[1], from[2], from[3]]); 3];
+                }
+                stream.store(to);
+            }
+        });
+    });
+}
+
 /// meshopt's filter writes four components of `size / 4` bytes; the fourth is ours to choose.
 fn encode_meshopt(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]], size: usize) {
     let four: Vec<[f32; 4]> = vectors.iter().map(|&[x, y, z]| [x, y, z, 0.0]).collect();
@@ -186,6 +206,7 @@ fn decode(criterion: &mut Criterion) {
         decode_with::<Oct32>(&mut group, vectors);
         decode_meshopt(&mut group, vectors, 8);
         let codes = encoded::<Oct32>(vectors);
+        stream(&mut group, &codes, vectors);
         let mut decoded = vec![[0i16; 4]; count];
         group.bench_function("oct32-i16x4", |b| {
             b.iter(|| decode_slice_i16x4::<Oct32>(black_box(&codes), black_box(&mut decoded)));

@@ -115,7 +115,7 @@ struct Fill<'a, C> {
 
 impl<C: Codec> Task for Fill<'_, fn() -> C> {
     #[inline(always)]
-    fn run(self) {
+    fn run(self, _: Level) {
         for (code, entry) in (0..).zip(self.entries) {
             *entry = C::decode(C::Code::from_words([code, 0]));
         }

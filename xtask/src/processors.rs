@@ -95,13 +95,19 @@ fn processors() -> Vec<Processor> {
     let here = Processor {
         runner: String::new(),
         packages: Vec::new(),
-        features: &["std", "libm"],
+        features: &["avx512", "libm"],
         count: ALL,
         ..x86_64("x86-64", "", "")
     };
     let all_levels = "Avx2 Baseline Sse41";
-    let miri =
-        Processor { name: MIRI, instructions: "+avx2", count: FEW, levels: all_levels, ..here.clone() };
+    let miri = Processor {
+        name: MIRI,
+        instructions: "+avx2",
+        features: &["std", "libm"],
+        count: FEW,
+        levels: all_levels,
+        ..here.clone()
+    };
     vec![
         here,
         x86_64("x86-64 with SSE2", "qemu64", "Baseline"),
@@ -265,7 +271,7 @@ impl Processor {
     fn row(&self, features: &str, count: usize, toolchain: Result<&str, String>, reference: &str) -> Row {
         let compiler =
             toolchain.as_ref().map_or_else(|_| String::new(), |of| version(&mut tool("rustc", of), "-V"));
-        let levels = if features == "std" { self.levels } else { "Baseline" };
+        let levels = if features == "libm" { "Baseline" } else { self.levels };
         let printed = toolchain.and_then(|of| output(&mut self.command(features, count, of)));
         let outcome = printed.and_then(|printed| compare(&printed, reference, levels));
         let is_same = outcome.is_ok();

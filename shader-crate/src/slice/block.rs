@@ -71,7 +71,8 @@ coder!(Codec of 3 floats: v => C::encode_vec3(Vec3::from_array(v)), code => C::d
 coder!(RotationCodec of 4 floats: q => C::encode_vec4(Vec4::from_array(q)), code => C::decode_vec4(code));
 coder!(FrameCodec of 7 floats: frame => C::encode(Frame::from_array(frame)), code => C::decode(code));
 
-/// At most [`BLOCK`] elements by floats, and codes by words.
+/// At most [`BLOCK`] elements by floats, and codes by words. Aligned as the longest vectors of a processor.
+#[repr(align(64))]
 pub struct Block<const N: usize> {
     floats: [[f32; BLOCK]; N],
     low: [u32; BLOCK],

@@ -2,7 +2,9 @@
 //! a time.
 //!
 //! * With the feature `std` the instruction set is chosen at run time: on x86-64 AVX2, SSE4.1 or the set that the crate
-//!   was compiled for; on AArch64 NEON is always there. Without `std` it is the set that the crate was compiled for.
+//!   was compiled for; on AArch64 NEON is always there. Without `std` it is the set that the crate was compiled for. The
+//!   feature `avx512` adds AVX-512, from Rust 1.89 on. Its builds take longer, since every codec is compiled once more.
+//! * Outputs of 32 MiB or more are written past the caches on x86-64: memory that is only written need not be read first.
 //! * Nothing is allocated. A slice is worked through in blocks of 64 vectors. To encode or decode fewer than 32 costs as
 //!   much as 32: for single vectors take the functions of [`Codec`].
 //! * Vectors are those of any library: see [`Vector`].
@@ -17,6 +19,8 @@
 //!   For the speed of a release build raise both: `opt-level = 2` under `[profile.dev]`, or under
 //!   `[profile.dev.package.unitvec]` and the same for the library of yours that calls them.
 //! * With the feature `rayon`, functions that begin with `par_` use all cores; strided data and codes as integers have none.
+//!   A process that is forked has none of its parent's threads. There, call `par_` functions inside
+//!   `rayon::ThreadPool::install` of a new pool: without it, more than 16,384 elements wait for ever.
 //!
 //! ```
 //! use unitvec::slice::{decode_slice, encode_slice};
@@ -46,9 +50,10 @@ pub(crate) use block::Coder;
 use block::{BLOCK, Block, Floats, Snorms, Target};
 use core::fmt;
 use core::marker::PhantomData;
-use machine::{Level, Task, as_chunks, as_chunks_mut, prefetch};
+use machine::{Level, Stream, Task, as_chunks, as_chunks_mut, prefetch};
 pub use stored::Stored;
 use stored::with_size;
+use strided::LARGEST_CODE;
 
 pub use coded::{decode_codes, encode_codes};
 pub use elements::{
@@ -177,7 +182,14 @@ pub(crate) fn encode_slice_by<const N: usize>(
     codes: &mut [u8],
 ) -> Result<(), LengthMismatch> {
     expect_length(elements.len() * coder.bytes(), codes.len())?;
-    level.run(Encode { elements, codes, coder });
+    let level = level.for_output(codes.len());
+    let head = level.before_line(codes, coder.bytes()).min(elements.len());
+    let (elements, codes) = (elements.split_at(head), codes.split_at_mut(head * coder.bytes()));
+    for (elements, codes) in [(elements.0, codes.0), (elements.1, codes.1)] {
+        if !elements.is_empty() {
+            level.run(Encode { elements, codes, coder });
+        }
+    }
     Ok(())
 }
 
@@ -186,10 +198,10 @@ pub(crate) fn decode_slice_by<const N: usize>(
     coder: impl Coder<N>,
     level: Level,
     codes: &[u8],
-    elements: &mut [impl From<[f32; N]>],
+    elements: &mut [impl Copy + From<[f32; N]>],
 ) -> Result<(), LengthMismatch> {
     expect_length(codes.len(), elements.len() * coder.bytes())?;
-    level.run(Decode { codes, elements, coder, target: PhantomData::<Floats> });
+    decode_to::<N, Floats, _>(coder, level, codes, elements);
     Ok(())
 }
 
@@ -201,8 +213,25 @@ pub fn decode_slice_i16x4_at<C: Codec>(
     vectors: &mut [[i16; 4]],
 ) -> Result<(), LengthMismatch> {
     expect_length(codes.len(), vectors.len() * C::BYTES)?;
-    level.run(Decode { codes, elements: vectors, coder: PhantomData::<C>, target: PhantomData::<Snorms> });
+    decode_to::<3, Snorms, _>(PhantomData::<C>, level, codes, vectors);
     Ok(())
+}
+
+/// Decodes as many codes as elements.
+fn decode_to<const N: usize, T: Target<E, N>, E: Copy>(
+    coder: impl Coder<N>,
+    level: Level,
+    codes: &[u8],
+    elements: &mut [E],
+) {
+    let level = level.for_output(size_of_val(elements));
+    let head = level.before_line(elements, size_of::<E>()).min(elements.len());
+    let (codes, elements) = (codes.split_at(head * coder.bytes()), elements.split_at_mut(head));
+    for (codes, elements) in [(codes.0, elements.0), (codes.1, elements.1)] {
+        if !elements.is_empty() {
+            level.run(Decode { codes, elements, coder, target: PhantomData::<T> });
+        }
+    }
 }
 
 /// Fails unless the two sizes are the same.
@@ -221,6 +250,43 @@ const FAR: usize = 1 << 20;
 /// The number of blocks to prefetch ahead.
 pub(crate) const AHEAD: usize = 2;
 
+/// The number of places where a far slice is worked on in turn. The processor prefetches for each, so that more memory is
+/// under way than with one. Three are faster than two and four.
+const PLACES: usize = 3;
+
+/// The order in which the blocks of a slice are worked through.
+#[derive(Clone, Copy)]
+struct Order {
+    blocks: usize,
+    /// Blocks of each place.
+    part: usize,
+    /// Steps to prefetch ahead.
+    ahead: usize,
+}
+
+impl Order {
+    #[inline(always)]
+    fn new(blocks: usize, far: bool) -> Self {
+        if far {
+            Self { blocks, part: blocks / PLACES, ahead: AHEAD * PLACES }
+        } else {
+            Self { blocks, part: 0, ahead: blocks }
+        }
+    }
+
+    /// The block of this step.
+    #[inline(always)]
+    fn block(self, step: usize) -> usize {
+        if step < PLACES * self.part { step % PLACES * self.part + step / PLACES } else { step }
+    }
+
+    /// The block to prefetch in this step.
+    #[inline(always)]
+    fn next(self, step: usize) -> Option<usize> {
+        if step + self.ahead < self.blocks { Some(self.block(step + self.ahead)) } else { None }
+    }
+}
+
 /// True where a slice of vectors of this size should be prefetched.
 #[inline(always)]
 pub(crate) fn is_far<T>(vectors: &[T]) -> bool {
@@ -236,19 +302,22 @@ struct Encode<'a, const N: usize, K, E> {
 // Whole blocks and the rest go through one loop, so that each codec is compiled once.
 impl<const N: usize, K: Coder<N>, E: Copy + Into<[f32; N]>> Task for Encode<'_, N, K, E> {
     #[inline(always)]
-    fn run(self) {
+    fn run(self, level: Level) {
         let (coder, bytes) = (self.coder, self.coder.bytes());
         if ONE_BY_ONE {
             return with_size!(bytes, SIZE => encode_each::<N, SIZE>(coder, self.elements, self.codes));
         }
-        let far = is_far(self.elements);
+        let size = BLOCK * bytes;
         let (blocks, rest) = as_chunks::<_, BLOCK>(self.elements);
-        let (codes, codes_of_rest) = self.codes.split_at_mut(blocks.len() * BLOCK * bytes);
+        let (codes, codes_of_rest) = self.codes.split_at_mut(blocks.len() * size);
+        let order = Order::new(blocks.len(), is_far(self.elements));
+        let mut stream = Stream::<u8, { BLOCK * LARGEST_CODE }>::to(level, codes);
         let mut block = Block::<N>::new();
-        for i in 0..blocks.len() + usize::from(!rest.is_empty()) {
+        for step in 0..blocks.len() + usize::from(!rest.is_empty()) {
+            let i = order.block(step);
             let whole = i < blocks.len();
-            if far && i + AHEAD < blocks.len() {
-                prefetch(&blocks[i + AHEAD]);
+            if let Some(next) = order.next(step) {
+                prefetch(&blocks[next]);
             }
             if whole {
                 block.load_elements(&blocks[i])
@@ -256,10 +325,19 @@ impl<const N: usize, K: Coder<N>, E: Copy + Into<[f32; N]>> Task for Encode<'_, 
                 block.load_elements(rest)
             }
             block.encode(coder, if whole { BLOCK } else { rest.len() });
-            if whole {
-                block.store_codes(coder, &mut codes[i * BLOCK * bytes..][..BLOCK * bytes]);
-            } else {
+            if !whole {
                 block.store_codes(coder, codes_of_rest);
+                continue;
+            }
+            let to = &mut codes[i * size..][..size];
+            let place = match &mut stream {
+                Some(stream) => &mut stream.lines[..size],
+                None => &mut *to,
+            };
+            // One call for both places, so that it is compiled once.
+            block.store_codes(coder, place);
+            if let Some(stream) = &stream {
+                stream.store(to);
             }
         }
     }
@@ -272,36 +350,49 @@ struct Decode<'a, const N: usize, K, T, E> {
     target: PhantomData<T>,
 }
 
-impl<const N: usize, K: Coder<N>, T: Target<E, N>, E> Task for Decode<'_, N, K, T, E> {
+impl<const N: usize, K: Coder<N>, T: Target<E, N>, E: Copy> Task for Decode<'_, N, K, T, E> {
     #[inline(always)]
-    fn run(self) {
+    fn run(self, level: Level) {
         let (coder, bytes) = (self.coder, self.coder.bytes());
         if ONE_BY_ONE {
             return with_size!(bytes, SIZE => decode_each::<N, T, E, SIZE>(coder, self.codes, self.elements));
         }
-        let far = is_far(self.elements);
+        let (size, far) = (BLOCK * bytes, is_far(self.elements));
+        let mut stream = Stream::<E, BLOCK>::to(level, self.elements);
         let (blocks, rest) = as_chunks_mut::<_, BLOCK>(self.elements);
-        let (codes, codes_of_rest) = self.codes.split_at(blocks.len() * BLOCK * bytes);
+        let (codes, codes_of_rest) = self.codes.split_at(blocks.len() * size);
+        let order = Order::new(blocks.len(), far);
         let mut block = Block::<N>::new();
-        for i in 0..blocks.len() + usize::from(!rest.is_empty()) {
+        for step in 0..blocks.len() + usize::from(!rest.is_empty()) {
+            let i = order.block(step);
             let whole = i < blocks.len();
-            if far && i + AHEAD < blocks.len() {
-                prefetch(&blocks[i + AHEAD]);
+            match order.next(step) {
+                Some(next) if stream.is_none() => prefetch(&blocks[next]),
+                Some(next) => prefetch(&codes[next * size..][..size]),
+                None => {}
             }
             if bytes == 2 {
                 // With a compile-time length LLVM turns two-byte loads into scalar ones, so this hides the length.
-                let start = i * BLOCK * bytes;
-                block.load_codes(coder, &self.codes[start..self.codes.len().min(start + BLOCK * bytes)]);
+                let start = i * size;
+                block.load_codes(coder, &self.codes[start..self.codes.len().min(start + size)]);
             } else if whole {
-                block.load_codes(coder, &codes[i * BLOCK * bytes..][..BLOCK * bytes]);
+                block.load_codes(coder, &codes[i * size..][..size]);
             } else {
                 block.load_codes(coder, codes_of_rest);
             }
             block.decode(coder, if whole { BLOCK } else { rest.len() });
-            if whole {
-                block.store_elements::<T, E>(&mut blocks[i])
-            } else {
-                block.store_elements::<T, E>(rest)
+            if !whole {
+                block.store_elements::<T, E>(rest);
+                continue;
+            }
+            let to = &mut blocks[i];
+            let place = match &mut stream {
+                Some(stream) => &mut stream.lines,
+                None => &mut *to,
+            };
+            block.store_elements::<T, E>(place);
+            if let Some(stream) = &stream {
+                stream.store(to);
             }
         }
     }

@@ -6,8 +6,13 @@ use super::LengthMismatch;
 use super::machine::Level;
 use rayon::prelude::*;
 
-/// Elements that one core takes at a time: some ten microseconds.
+/// The least number of elements that one core takes at a time: some ten microseconds.
 const PORTION: usize = 1 << 14;
+
+/// Elements that one core takes at a time: of long slices enough for memory to be prefetched, unless cores would idle.
+fn portion(elements: usize) -> usize {
+    (elements / (8 * rayon::current_num_threads())).clamp(PORTION, 8 * PORTION)
+}
 
 /// Encodes portions of `elements` into codes of `size` bytes. The slices fit each other.
 ///
@@ -19,11 +24,12 @@ pub fn par_encode_with<T: Sync>(
     size: usize,
     encode: impl Fn(Level, &[T], &mut [u8]) -> Result<(), LengthMismatch> + Sync,
 ) -> Result<(), LengthMismatch> {
-    let level = Level::best();
+    let level = Level::best().for_output(codes.len());
     if elements.len() <= PORTION {
         return encode(level, elements, codes);
     }
-    (elements.par_chunks(PORTION), codes.par_chunks_mut(PORTION * size))
+    let portion = portion(elements.len());
+    (elements.par_chunks(portion), codes.par_chunks_mut(portion * size))
         .into_par_iter()
         .try_for_each(|(elements, codes)| encode(level, elements, codes))
 }
@@ -38,11 +44,12 @@ pub fn par_decode_with<T: Send>(
     size: usize,
     decode: impl Fn(Level, &[u8], &mut [T]) -> Result<(), LengthMismatch> + Sync,
 ) -> Result<(), LengthMismatch> {
-    let level = Level::best();
+    let level = Level::best().for_output(size_of_val(elements));
     if elements.len() <= PORTION {
         return decode(level, codes, elements);
     }
-    (codes.par_chunks(PORTION * size), elements.par_chunks_mut(PORTION))
+    let portion = portion(elements.len());
+    (codes.par_chunks(portion * size), elements.par_chunks_mut(portion))
         .into_par_iter()
         .try_for_each(|(codes, elements)| decode(level, codes, elements))
 }

@@ -106,7 +106,6 @@ fn report<const N: usize>(
     special: &[[f32; N]],
 ) {
     let coder = Coder { id, bits, bytes, encode, decode };
-    let way = way.trim_start_matches("Level(").trim_end_matches(')');
     print(&format!("{way},{},{}\n", coder.released(count), coder.more(count, special)));
 }
 
