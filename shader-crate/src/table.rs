@@ -22,6 +22,7 @@
 
 use crate::codec::{Codec, RawCode};
 use crate::slice::block::BLOCK;
+use crate::slice::loops;
 use crate::slice::machine::{Level, Task, as_chunks, prefetch};
 use crate::slice::stored::{Stored, with_size};
 use crate::slice::{self, LengthMismatch, Vector};
@@ -84,8 +85,8 @@ impl<'a, C: Codec> DecodeTable<'a, C> {
     /// [`LengthMismatch`] unless `codes` has exactly `vectors.len() * C::BYTES` bytes. Nothing is written then.
     pub fn decode_slice(&self, codes: &[u8], vectors: &mut [impl Vector]) -> Result<(), LengthMismatch> {
         slice::expect_length(codes.len(), vectors.len() * C::BYTES)?;
-        let far = slice::is_far(vectors);
-        let (ahead, blocks) = (slice::AHEAD, vectors.len().div_ceil(BLOCK));
+        let far = loops::is_far(vectors);
+        let (ahead, blocks) = (loops::AHEAD, vectors.len().div_ceil(BLOCK));
         for i in 0..blocks {
             let range = i * BLOCK..vectors.len().min((i + 1) * BLOCK);
             if far && i + ahead + 1 < blocks {

@@ -150,17 +150,23 @@ const LINE: usize = 64;
 pub struct Stream<T, const N: usize> {
     /// What is to be stored next.
     pub lines: [T; N],
-    level: Level,
+    #[cfg(all(target_arch = "x86_64", target_feature = "sse2", not(miri)))]
+    kind: Kind,
 }
 
 impl<T: Copy, const N: usize> Stream<T, N> {
     /// For this output, if it begins with a line and the level asks for streaming stores.
     #[inline(always)]
     pub fn to(level: Level, output: &[T]) -> Option<Self> {
-        let can = cfg!(all(target_arch = "x86_64", not(miri)));
         match output {
-            [any, ..] if can && level.streams && is_at_line(output) => Some(Self { lines: [*any; N], level }),
-            _ => None,
+            #[cfg(all(target_arch = "x86_64", target_feature = "sse2", not(miri)))]
+            [any, ..] if level.streams && is_at_line(output) => {
+                Some(Self { lines: [*any; N], kind: level.kind })
+            }
+            _ => {
+                let _ = level;
+                None
+            }
         }
     }
 
@@ -168,12 +174,12 @@ impl<T: Copy, const N: usize> Stream<T, N> {
     #[inline(always)]
     pub fn store(&self, output: &mut [T]) {
         let lines = &self.lines[..output.len()];
-        #[cfg(all(target_arch = "x86_64", not(miri)))]
+        #[cfg(all(target_arch = "x86_64", target_feature = "sse2", not(miri)))]
         if size_of_val(lines) % LINE == 0 && is_at_line(output) {
             // SAFETY: both have that number of lines, `output` begins with one, and the machine has the level's instructions.
             return unsafe {
                 stream_lines(
-                    self.level.kind,
+                    self.kind,
                     lines.as_ptr().cast(),
                     output.as_mut_ptr().cast(),
                     size_of_val(lines) / LINE,
@@ -184,7 +190,7 @@ impl<T: Copy, const N: usize> Stream<T, N> {
     }
 }
 
-#[cfg(all(target_arch = "x86_64", not(miri)))]
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2", not(miri)))]
 impl<T, const N: usize> Drop for Stream<T, N> {
     #[inline(always)]
     fn drop(&mut self) {
@@ -193,6 +199,7 @@ impl<T, const N: usize> Drop for Stream<T, N> {
     }
 }
 
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2", not(miri)))]
 #[inline(always)]
 fn is_at_line<T>(slice: &[T]) -> bool {
     slice.as_ptr().addr() % LINE == 0
@@ -203,7 +210,7 @@ fn is_at_line<T>(slice: &[T]) -> bool {
 /// # Safety
 /// `count` lines can be read from `from` and be written to `to`, which is aligned to them; the machine has the kind's
 /// instructions.
-#[cfg(all(target_arch = "x86_64", not(miri)))]
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2", not(miri)))]
 #[inline(never)]
 unsafe fn stream_lines(kind: Kind, from: *const u8, to: *mut u8, count: usize) {
     /// Assembly that copies a line by parts, through a register.

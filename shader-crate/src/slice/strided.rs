@@ -2,7 +2,8 @@
 
 use super::LengthMismatch;
 use super::block::BLOCK;
-use super::machine::{Level, as_chunks, as_chunks_mut};
+use super::loops::Order;
+use super::machine::{Level, as_chunks, as_chunks_mut, prefetch};
 use super::stored::with_size;
 use core::fmt;
 
@@ -109,8 +110,14 @@ pub fn encode_strided_with<const N: usize>(
     encode: impl Fn(Level, &[[f32; N]], &mut [u8]) -> Result<(), LengthMismatch>,
 ) -> Result<(), StrideError> {
     let count = expect_fit::<N>(from, to.shared(), size)?;
+    let order = order(from, count);
     let (mut some_elements, mut some_codes) = ([[0.0; N]; PORTION], [0; PORTION * LARGEST_CODE]);
-    for start in (0..count).step_by(PORTION) {
+    for step in 0..count.div_ceil(PORTION) {
+        let start = order.block(step) * PORTION;
+        if let Some(next) = order.next(step) {
+            from.prefetch(next);
+            to.shared().prefetch(next);
+        }
         let elements = &mut some_elements[..PORTION.min(count - start)];
         let codes = &mut some_codes[..elements.len() * size];
         load_elements(from, start, elements);
@@ -134,8 +141,14 @@ pub fn decode_strided_with<const N: usize>(
     decode: impl Fn(Level, &[u8], &mut [[f32; N]]) -> Result<(), LengthMismatch>,
 ) -> Result<(), StrideError> {
     let count = expect_fit::<N>(to.shared(), from, size)?;
+    let order = order(to.shared(), count);
     let (mut some_elements, mut some_codes) = ([[0.0; N]; PORTION], [0; PORTION * LARGEST_CODE]);
-    for start in (0..count).step_by(PORTION) {
+    for step in 0..count.div_ceil(PORTION) {
+        let start = order.block(step) * PORTION;
+        if let Some(next) = order.next(step) {
+            from.prefetch(next);
+            to.shared().prefetch(next);
+        }
         let elements = &mut some_elements[..PORTION.min(count - start)];
         let codes = &mut some_codes[..elements.len() * size];
         with_size!(size, SIZE => load_codes::<SIZE>(from, start, codes));
@@ -144,6 +157,15 @@ pub fn decode_strided_with<const N: usize>(
         store_elements(elements, &mut to, start);
     }
     Ok(())
+}
+
+/// Bytes of strided elements from which on memory is prefetched: below it the fields between them, which are fetched too,
+/// cost more than is gained.
+const FAR: usize = 1 << 25;
+
+/// The order of the portions of so many elements.
+fn order(elements: Strided<&[u8]>, count: usize) -> Order {
+    Order::new(count / PORTION, elements.bytes.len() >= FAR)
 }
 
 /// The number of elements that are gathered at a time: whole blocks, which stay in the nearest cache.
@@ -180,6 +202,12 @@ impl<'a> Strided<&'a [u8]> {
         } else {
             Err(StrideError::Length { side, actual: bytes.len(), expected: end })
         }
+    }
+
+    /// Asks for the memory of a whole portion.
+    fn prefetch(self, portion: usize) {
+        let bytes = &self.bytes[self.offset + portion * PORTION * self.stride..];
+        prefetch(&bytes[..bytes.len().min(PORTION * self.stride)]);
     }
 
     /// The first `size` bytes of an element, which [`count`](Self::count) has found to be there.
