@@ -6,8 +6,8 @@ use super::{RENEW, rdna2, recorded};
 use std::path::Path;
 use std::process::Command;
 use std::sync::Arc;
-use unitvec_choose::costs::{Report, Row};
-use unitvec_lab::isa::radv::Radv;
+use unitvec_choose::costs::{KernelKind, Report, Row};
+use unitvec_lab::isa::stand_in::StandIn;
 use unitvec_manifest::sha256_hex;
 use unitvec_run::glsl::{self, Compiler};
 use unitvec_tests::repository;
@@ -18,12 +18,12 @@ const OUTPUT: &str = "UNITVEC_COMPILED_COSTS";
 
 /// The report that a test of this name makes by [`compile`] with the system's RADV.
 fn compiled(test: &str) -> Result<Report, String> {
-    let radv = Radv::new(rdna2().gpu, None).map_err(|error| error.to_string())?;
+    let stand_in = StandIn::new(rdna2().gpu, None).map_err(|error| error.to_string())?;
     let folder = tempfile::tempdir().unwrap();
     let output = folder.path().join("costs.json");
     let mut program = Command::new(std::env::current_exe().unwrap());
     program.args(["--ignored", "--exact", test]);
-    let ended = program.envs(radv.environment()).env(OUTPUT, &output).output().unwrap();
+    let ended = program.envs(stand_in.environment()).env(OUTPUT, &output).output().unwrap();
     if !ended.status.success() {
         let said = [ended.stdout, ended.stderr].concat();
         return Err(String::from_utf8_lossy(&said).into_owned());
@@ -47,6 +47,7 @@ pub fn compile(
     let others = others.iter().map(|(file, text)| ((*file).to_owned(), hash(text)));
     let report = Report {
         device: inspector.device().info().clone(),
+        kernel: KernelKind::default(),
         sources: shipped.chain(others).collect(),
         rows: rows(&inspector, &Compiler::new().unwrap()),
     };
