@@ -215,15 +215,15 @@ vec3 unitvec_ico_decode(uint code, UnitvecIcoLattice lattice) {
     // A little more than 1 / rows, so that a block's first line, which is a multiple, counts to it.
     float per_rows = is_octant ? unitvec_reciprocal(n - 2.1) : unitvec_reciprocal(n - 0.1);
 
-    // The quotient is between 0.04 less and 0.03 more than the exact one: so `line` is it or the next, and then the
+    // The quotient is between 0.04 less and 0.03 more than the exact one: so `near_line` is it or the next; then the
     // remainder wraps.
     uint index = code - first;
     UNITVEC_PRECISE float counted = float(index) * per_length + UNITVEC_2_23;
-    uint line = floatBitsToUint(counted) & 0x7fffffu;
-    uint rest = index - line * row_length;
+    uint near_line = floatBitsToUint(counted) & 0x7fffffu;
+    uint rest = index - near_line * row_length;
     bool is_next = rest >= row_length;
     float column = float(int(is_next ? rest + row_length : rest));
-    float line_number = float(int(line - (is_next ? 1u : 0u)));
+    float line_number = float(int(near_line - (is_next ? 1u : 0u)));
     UNITVEC_PRECISE float part = line_number * per_rows;
     float block_number = floor(part);
     UNITVEC_PRECISE float row = line_number - block_number * rows;

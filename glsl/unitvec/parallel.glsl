@@ -24,18 +24,16 @@ const float UNITVEC_PARALLEL_INSET = 0.4375;
 // 1 - 2^-21: the extent of a sextant, which leaves room for the rounding of the largest component.
 const float UNITVEC_PARALLEL_SEXTANT_LIMIT = 0.9999995;
 
-// The plane that the components are stored in.
+// The plane that the components are stored in. half_unit is half an extent of 1. in_steps: extents are those of points in
+// steps; only for two components of 8 bits, where they tell the same points outside.
 struct UnitvecParallelPlane {
     uvec2 bits;
     vec2 m;
     vec2 steps;
     float limit;
-    // Half an extent of 1.
     float half_unit;
     float inset;
     bool sextant;
-    // Whether extents are those of points in steps: for two components of 8 bits, where they tell the same points
-    // outside.
     bool in_steps;
 };
 
@@ -163,9 +161,15 @@ uint unitvec_parallel_top(uvec2 code, uint components) {
     return code.y >> (components - 32u);
 }
 
+// A part with the sign of its whole number e. With 23 bits and more, whose points have no inset, a number other than 0 may
+// have become 0, which stays +0.
+float unitvec_parallel_signed(UnitvecParallelPlane plane, float part, float e) {
+    return plane.inset > 0.0 ? unitvec_with_sign(part, e) : unitvec_negate_positive(e < 0.0, part);
+}
+
 vec3 unitvec_parallel_from_plane(UnitvecParallelPlane plane, vec2 e, bool negative) {
     vec2 p = unitvec_parallel_point(plane, abs(e));
-    return vec3(unitvec_with_sign(p.x, e.x), unitvec_with_sign(p.y, e.y),
+    return vec3(unitvec_parallel_signed(plane, p.x, e.x), unitvec_parallel_signed(plane, p.y, e.y),
         unitvec_negate_positive(negative, unitvec_parallel_third(p)));
 }
 

@@ -128,7 +128,11 @@ fn unpack(plane: Plane, words: [u32; 2]) -> (Vec2, u32) {
 #[inline(always)]
 fn from_plane(plane: Plane, e: Vec2, negative: bool) -> Vec3 {
     let p = plane.point(e.abs());
-    Vec3::new(with_sign(p.x, e.x), with_sign(p.y, e.y), negate_positive(negative, third(p)))
+    // With 23 bits and more, whose points have no inset, a number other than 0 may have become 0, which stays +0.
+    let signed = |part: f32, e: f32| {
+        if plane.x_bits > 22 { negate_positive(e < 0.0, part) } else { with_sign(part, e) }
+    };
+    Vec3::new(signed(p.x, e.x), signed(p.y, e.y), negate_positive(negative, third(p)))
 }
 
 /// Parallel projection: x, y and the sign of z in `BITS` bits (16, 24 or 32; 48 with codes of two words).
