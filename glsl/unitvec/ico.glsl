@@ -80,8 +80,8 @@ vec3 unitvec_ico_weights(UnitvecIcoLattice lattice, vec3 i) {
 // The components in cyclic order so that those of the face that straddles y = 0 come to stand for those of the face
 // that straddles z = 0 or x = 0, if marked.
 vec3 unitvec_ico_turn(vec3 v, bool of_z, bool of_x) {
-    vec3 turned = of_z ? v.zxy : v;
-    return of_x ? v.yzx : turned;
+    vec3 turned = of_x ? v.yzx : v;
+    return of_z ? v.zxy : turned;
 }
 
 float unitvec_ico_sum(vec3 v) {
@@ -248,7 +248,8 @@ vec3 unitvec_ico_decode(uint code, UnitvecIcoLattice lattice) {
         unitvec_negate_if(is_second, v.x),
         unitvec_negate_if(is_octant && is_odd, v.y),
         unitvec_negate_if(is_octant ? is_upper : is_odd, v.z));
-    return unitvec_ico_turn(v, !is_octant && is_upper, !is_octant && part >= 4.0);
+    bool of_x = !is_octant && part >= 4.0;
+    return unitvec_ico_turn(v, !is_octant && is_upper && !of_x, of_x);
 }
 
 uint ico16_encode(vec3 v) { return unitvec_ico_encode(v, UNITVEC_ICO_LATTICE_16); }

@@ -165,10 +165,10 @@ impl Lattice {
 /// that straddles z = 0 or x = 0, if marked.
 #[inline(always)]
 fn turn(v: Vec3, of_z: bool, of_x: bool) -> Vec3 {
-    if of_x {
-        Vec3::new(v.y, v.z, v.x)
-    } else if of_z {
+    if of_z {
         Vec3::new(v.z, v.x, v.y)
+    } else if of_x {
+        Vec3::new(v.y, v.z, v.x)
     } else {
         v
     }
@@ -374,7 +374,8 @@ fn decode(code: u32, lattice: Lattice) -> Vec3 {
         negate_if(is_octant & is_odd, v.y),
         negate_if(select(is_octant, is_upper, is_odd), v.z),
     );
-    turn(v, !is_octant & is_upper, !is_octant & (part >= 4.0))
+    let of_x = !is_octant & (part >= 4.0);
+    turn(v, !is_octant & is_upper & !of_x, of_x)
 }
 
 /// Icosahedral code of `BITS` bits (16, 24 or 32).

@@ -62,8 +62,8 @@ mod xyonly;
 pub use xyonly::{XyOnly, XyOnly32F};
 
 use crate::arith::{
-    dot, face_of, from_face, integer_part, inverse_root, is_negative, mask, max, negate_if, negate_positive,
-    root, scale_to_one, signed_code, snorm_integer, to_face, with_sign,
+    dot, face_of, from_face, inverse_root, is_negative, mask, max, negate_if, negate_positive, root,
+    scale_to_one, signed_code, snorm_integer, to_face, whole_to_u32, with_sign,
 };
 use crate::codec::{Codec, RawCode, Width};
 use crate::direction::or_z;
@@ -92,8 +92,11 @@ fn third(p: Vec2) -> f32 {
 /// Two's complement, in `bits` bits, of a whole number below 2^23 with a sign.
 #[inline(always)]
 fn field(negative: bool, whole: f32, bits: u32) -> u32 {
-    let whole = negate_if(negative, whole);
-    (if bits > 22 { integer_part(whole) as u32 } else { signed_code(whole, bits) }) & mask(bits)
+    if bits <= 22 {
+        return signed_code(negate_if(negative, whole), bits);
+    }
+    let magnitude = whole_to_u32(whole);
+    (if negative { 0u32.wrapping_sub(magnitude) } else { magnitude }) & mask(bits)
 }
 
 /// The words of the whole numbers of a plane with the signs of `p`, and of the bits above them.
