@@ -9,6 +9,7 @@ pub mod stand_in;
 
 use crate::Result;
 use crate::textbook::{self, TEXTBOOK, Textbook};
+pub use one::counted;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use unitvec_catalogue::{AnyCodec, Operation};
@@ -33,8 +34,20 @@ impl<'a> Asked<'a> {
         Ok(Self { inspector, said: stand_in::Said::of_process().map_err(stand_in::Error::NotStarted)? })
     }
 
-    fn statistics(&self, division: Division, module: &[u8], entry_point: &str) -> Result<Statistics> {
-        Ok(self.said.with(|| self.inspector.statistics(division, module, entry_point))?)
+    /// The device's name.
+    pub fn device(&self) -> &str {
+        &self.inspector.device().info().name
+    }
+
+    /// The statistics of a kernel.
+    ///
+    /// # Errors
+    /// Those of [`Inspector::statistics`].
+    pub fn statistics(&self, division: Division, module: &[u8], entry_point: &str) -> Result<Statistics> {
+        let (found, said) = self.said.during(|| self.inspector.statistics(division, module, entry_point));
+        let mut found = found?;
+        found.extend(stand_in::shader_db(&said, "COMPUTE"));
+        Ok(found)
     }
 
     /// The statistics of a pipeline's vertex shader and fragment shader.
@@ -42,7 +55,12 @@ impl<'a> Asked<'a> {
     /// # Errors
     /// Those of [`Inspector::stages`].
     pub fn stages(&self, colours: &[ImageFormat], options: &PipelineOptions<'_>) -> Result<[Statistics; 2]> {
-        Ok(self.inspector.stages(colours, options)?)
+        let (found, said) = self.said.during(|| self.inspector.stages(colours, options));
+        let mut found = found?;
+        for (statistics, stage) in found.iter_mut().zip(["VERTEX", "FRAGMENT"]) {
+            statistics.extend(stand_in::shader_db(&said, stage));
+        }
+        Ok(found)
     }
 }
 
@@ -92,8 +110,7 @@ fn of_codec(asked: &Asked<'_>, modules: &Modules, format: &AnyCodec) -> Result<V
         let mut add = |source, module: &[u8], entry_point: &str, textbook: Option<&Textbook>| -> Result<()> {
             let division = if source == Source::Exact { Division::Exact } else { Division::Device };
             let statistics = asked.statistics(division, module, entry_point)?;
-            let device = &asked.inspector.device().info().name;
-            rows.push(row(format.id, operation, source, textbook, &statistics, device));
+            rows.push(row(format.id, operation, source, textbook, &statistics, asked.device()));
             Ok(())
         };
         for source in [Source::Rust, Source::Exact] {

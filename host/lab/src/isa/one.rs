@@ -105,7 +105,8 @@ const CLASSES: [(&str, &str); 14] = [
     ("inst", "all"),
 ];
 
-fn counted(row: Row, statistics: &Statistics) -> Row {
+/// A row with the figures of a driver's statistics, of a kernel of one element or of a stage.
+pub fn counted(row: Row, statistics: &Statistics) -> Row {
     let of = |names: &[&str]| names.iter().find_map(|name| statistics.get(*name).copied());
     let nops = of(&["NOPs Count"]).unwrap_or(0);
     let classes =

@@ -7,6 +7,7 @@ use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 use std::sync::{Mutex, PoisonError};
+use tempfile::NamedTempFile;
 use unitvec_choose::costs::{GENERATIONS, GPUS, Line, code_name, find_gpu};
 use unitvec_vulkan::Statistics;
 
@@ -164,11 +165,7 @@ impl StandIn {
         self.probe()?;
         let mut command = self.here()?;
         command.args(std::env::args_os().skip(1));
-        let said = tempfile::NamedTempFile::new().map_err(Error::NotStarted)?;
-        if self.driver.1.is_some() {
-            let file = said.reopen().map_err(Error::NotStarted)?;
-            command.env(SAID, said.path()).stderr(file);
-        }
+        let said = self.prepare(&mut command)?;
         let status = command.status().map_err(Error::NotStarted)?;
         let text = std::fs::read(said.path()).unwrap_or_default();
         let own = String::from_utf8_lossy(&text)
@@ -179,6 +176,19 @@ impl StandIn {
         eprint!("{own}");
         let code = status.code().and_then(|code| u8::try_from(code).ok());
         Ok(code.map_or(ExitCode::FAILURE, ExitCode::from))
+    }
+
+    /// Gives a command the environment. What a driver with a shim says goes to the file, as long as it is held.
+    ///
+    /// # Errors
+    /// [`Error::NotStarted`].
+    pub fn prepare(&self, command: &mut Command) -> Result<NamedTempFile, Error> {
+        let said = NamedTempFile::new().map_err(Error::NotStarted)?;
+        command.envs(self.environment()).env_remove("UNITVEC_DEVICE");
+        if self.driver.1.is_some() {
+            command.env(SAID, said.path()).stderr(said.reopen().map_err(Error::NotStarted)?);
+        }
+        Ok(said)
     }
 
     /// A driver that does not know the GPU ends the process, so another process has to ask it.
@@ -206,7 +216,7 @@ impl StandIn {
     }
 
     /// The variables. Older loaders know the first name of the driver's file, newer ones the second as well.
-    pub fn environment(&self) -> Vec<(&'static str, OsString)> {
+    fn environment(&self) -> Vec<(&'static str, OsString)> {
         let Driver(_, folder, variable, value) = &self.driver;
         let file = self.file.as_os_str();
         let mut variables = vec![
@@ -236,38 +246,36 @@ impl Said {
         Ok(Self(std::env::var_os(SAID).map(File::open).transpose()?.map(Mutex::new)))
     }
 
-    /// Adds the statistics that the driver writes while `compile` runs, one at a time.
-    ///
-    /// # Errors
-    /// Those of `compile`. A file that cannot be read adds nothing.
-    pub fn with<E>(&self, compile: impl FnOnce() -> Result<Statistics, E>) -> Result<Statistics, E> {
-        let Some(file) = &self.0 else { return compile() };
+    /// Compiles, one at a time, and returns what the driver wrote meanwhile. A file that cannot be read has nothing.
+    pub fn during<T>(&self, compile: impl FnOnce() -> T) -> (T, String) {
+        let Some(file) = &self.0 else { return (compile(), String::new()) };
         let mut file = file.lock().unwrap_or_else(PoisonError::into_inner);
-        let mut said = String::new();
         let _ = file.seek(SeekFrom::End(0));
-        let mut statistics = compile()?;
+        let compiled = compile();
+        let mut said = String::new();
         let _ = file.read_to_string(&mut said);
-        statistics.extend(shader_db(&said));
-        Ok(statistics)
+        (compiled, said)
     }
 }
 
-/// The statistics in the last line of Mali's compiler: numbers and names. Those of its units are cycles, of so many
-/// instructions.
-fn shader_db(said: &str) -> Statistics {
-    let line = said.lines().rfind(|line| line.starts_with("SHADER-DB:")).unwrap_or_default();
-    let entry = |part: &str| {
-        let (value, name) = part.rsplit(": ").next()?.trim().split_once(' ')?;
+/// The statistics of a stage in the lines of Mali's compiler, numbers and names, summed over the stage's parts. Those of
+/// its units are cycles, of so many instructions.
+pub fn shader_db(said: &str, stage: &str) -> Statistics {
+    let mut statistics = Statistics::new();
+    let head = format!("SHADER-DB: MESA_SHADER_{stage} shader: ");
+    for entry in said.lines().filter_map(|line| line.strip_prefix(&head)).flat_map(|line| line.split(", ")) {
+        let Some((value, name)) = entry.split_once(' ') else { continue };
         let instructions = match name {
             "fma" | "cvt" => 64.0,
             "sfu" => 16.0,
             "arith" => 24.0,
             _ => 1.0,
         };
-        let value: f64 = value.split(':').next()?.parse().ok()?;
-        Some((name.to_owned(), (value * instructions).round() as u64))
-    };
-    line.split(", ").filter_map(entry).collect()
+        let value = value.split(':').next().and_then(|value| value.parse::<f64>().ok());
+        *statistics.entry(name.to_owned()).or_default() +=
+            (value.unwrap_or(0.0) * instructions).round() as u64;
+    }
+    statistics
 }
 
 /// RADV's file in the first of the folders that has one, with this processor's first.
@@ -304,12 +312,12 @@ mod tests {
     #[test]
     fn lines_of_malis_compiler_are_read() {
         let said = "Unknown ioctl\nSHADER-DB: MESA_SHADER_COMPUTE shader: 207 inst, 40.000000 cycles, 0.687500 fma, 2.500000 sfu, 3:4 spills:fills\n";
-        let found = shader_db(said);
+        let found = shader_db(said, "COMPUTE");
         let of = |name: &str| found.get(name).copied();
         assert_eq!(
             (of("inst"), of("fma"), of("sfu"), of("spills:fills")),
             (Some(207), Some(44), Some(40), Some(3))
         );
-        assert!(shader_db("nothing").is_empty());
+        assert!(shader_db(said, "VERTEX").is_empty());
     }
 }
