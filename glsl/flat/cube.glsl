@@ -263,6 +263,12 @@ float unitvec_atan_octant(float r) {
     return unitvec_atan_octant_of_normal(r < UNITVEC_NEGLIGIBLE ? 0.0 : r);
 }
 #endif
+#ifndef UNITVEC_HAS_SIGNED_CODE
+#define UNITVEC_HAS_SIGNED_CODE
+uint unitvec_signed_code(float whole, uint bits) {
+    return uint(int(whole)) & unitvec_mask(bits);
+}
+#endif
 #ifndef UNITVEC_HAS_UPPER_HALF
 #define UNITVEC_HAS_UPPER_HALF
 float unitvec_upper_half(float x) {
@@ -276,12 +282,6 @@ float unitvec_product_rest(float a, float b, float product) {
     UNITVEC_PRECISE float rest =
         (((a_upper * b_upper - product) + a_upper * b_lower) + a_lower * b_upper) + a_lower * b_lower;
     return rest;
-}
-#endif
-#ifndef UNITVEC_HAS_SIGNED_CODE
-#define UNITVEC_HAS_SIGNED_CODE
-uint unitvec_signed_code(float whole, uint bits) {
-    return uint(int(whole)) & unitvec_mask(bits);
 }
 #endif
 #ifndef UNITVEC_HAS_COORDINATE

@@ -180,16 +180,16 @@ uint unitvec_nearest_code(float x, uint bits) {
     return floatBitsToUint(sum) & unitvec_mask(bits);
 }
 #endif
-#ifndef UNITVEC_HAS_SCALE_TO_ONE
-#define UNITVEC_HAS_SCALE_TO_ONE
-float unitvec_scale_to_one(float l1_norm) {
-    return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
-}
-#endif
 #ifndef UNITVEC_HAS_WITH_SIGN
 #define UNITVEC_HAS_WITH_SIGN
 float unitvec_with_sign(float magnitude, float y) {
     return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
+}
+#endif
+#ifndef UNITVEC_HAS_SCALE_TO_ONE
+#define UNITVEC_HAS_SCALE_TO_ONE
+float unitvec_scale_to_one(float l1_norm) {
+    return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
 }
 #endif
 #ifndef UNITVEC_HAS_NEGATE_POSITIVE
@@ -219,12 +219,6 @@ bool unitvec_is_nan(float x) {
     return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
 }
 #endif
-#ifndef UNITVEC_HAS_FLIP_SIGN
-#define UNITVEC_HAS_FLIP_SIGN
-float unitvec_flip_sign(float x, uint sign_bit) {
-    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
-}
-#endif
 #ifndef UNITVEC_HAS_ROOT
 #define UNITVEC_HAS_ROOT
 float unitvec_root(float x) {
@@ -234,6 +228,12 @@ float unitvec_root(float x) {
     UNITVEC_PRECISE float found = sqrt(x);
     return found;
 #endif
+}
+#endif
+#ifndef UNITVEC_HAS_FLIP_SIGN
+#define UNITVEC_HAS_FLIP_SIGN
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
 #ifndef UNITVEC_HAS_2_23

@@ -189,17 +189,17 @@ uint unitvec_nearest_code(float x, uint bits) {
     return floatBitsToUint(sum) & unitvec_mask(bits);
 }
 #endif
+#ifndef UNITVEC_HAS_WITH_SIGN
+#define UNITVEC_HAS_WITH_SIGN
+float unitvec_with_sign(float magnitude, float y) {
+    return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
+}
+#endif
 #ifndef UNITVEC_HAS_NORMALIZE
 #define UNITVEC_HAS_NORMALIZE
 vec3 unitvec_normalize(vec3 v) {
     UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
     return n;
-}
-#endif
-#ifndef UNITVEC_HAS_WITH_SIGN
-#define UNITVEC_HAS_WITH_SIGN
-float unitvec_with_sign(float magnitude, float y) {
-    return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
 }
 #endif
 #ifndef UNITVEC_HAS_SNORM_RECIPROCAL
@@ -283,12 +283,6 @@ vec2 unitvec_snorm_integers(uint code, uint bits) {
     return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
 }
 #endif
-#ifndef UNITVEC_HAS_WHOLE_TO_U32
-#define UNITVEC_HAS_WHOLE_TO_U32
-uint unitvec_whole_to_u32(float whole) {
-    return uint(int(whole));
-}
-#endif
 #ifndef UNITVEC_HAS_SNORM_CLAMP
 #define UNITVEC_HAS_SNORM_CLAMP
 vec2 unitvec_snorm_clamp(vec2 e) {
@@ -301,6 +295,12 @@ vec2 unitvec_biased(vec2 e) {
 vec2 unitvec_unbiased(vec2 e) {
     UNITVEC_PRECISE vec2 on_snorm = e * 2.0 - 1.0;
     return on_snorm;
+}
+#endif
+#ifndef UNITVEC_HAS_WHOLE_TO_U32
+#define UNITVEC_HAS_WHOLE_TO_U32
+uint unitvec_whole_to_u32(float whole) {
+    return uint(int(whole));
 }
 #endif
 #ifndef UNITVEC_HAS_NEARER

@@ -180,12 +180,6 @@ float unitvec_negate_positive(bool negative, float x) {
     return unitvec_negate_if(negative && x > 0.0, x);
 }
 #endif
-#ifndef UNITVEC_HAS_FLIP_SIGN
-#define UNITVEC_HAS_FLIP_SIGN
-float unitvec_flip_sign(float x, uint sign_bit) {
-    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
-}
-#endif
 #ifndef UNITVEC_HAS_ROOT
 #define UNITVEC_HAS_ROOT
 float unitvec_root(float x) {
@@ -195,6 +189,12 @@ float unitvec_root(float x) {
     UNITVEC_PRECISE float found = sqrt(x);
     return found;
 #endif
+}
+#endif
+#ifndef UNITVEC_HAS_FLIP_SIGN
+#define UNITVEC_HAS_FLIP_SIGN
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
 #ifndef UNITVEC_HAS_SIGNED_QUOTIENT

@@ -24,29 +24,35 @@ const float UNITVEC_PARALLEL_INSET = 0.4375;
 // 1 - 2^-21: the extent of a sextant, which leaves room for the rounding of the largest component.
 const float UNITVEC_PARALLEL_SEXTANT_LIMIT = 0.9999995;
 
-// The plane that the components are stored in.
+// The plane that the components are stored in. half_unit is half an extent of 1. in_steps: extents are those of points in
+// steps; only for two components of 8 bits, where they tell the same points outside.
 struct UnitvecParallelPlane {
     uvec2 bits;
     vec2 m;
     vec2 steps;
     float limit;
+    float half_unit;
     float inset;
     bool sextant;
+    bool in_steps;
 };
 
 UnitvecParallelPlane unitvec_parallel_disk(uint x_bits, uint y_bits) {
     vec2 m = vec2(unitvec_snorm_max(x_bits), unitvec_snorm_max(y_bits));
     bool fine = x_bits > 22u;
-    UnitvecParallelPlane plane = UnitvecParallelPlane(uvec2(x_bits, y_bits), m, m, fine ? 1.0000004 : 1.0,
-        fine ? 0.0 : UNITVEC_PARALLEL_INSET, false);
+    bool in_steps = x_bits == 8u && y_bits == 8u;
+    UNITVEC_PRECISE float square = m.x * m.x;
+    UnitvecParallelPlane plane = UnitvecParallelPlane(uvec2(x_bits, y_bits), m, m,
+        in_steps ? square : (fine ? 1.0000004 : 1.0), in_steps ? unitvec_over(0.5, square) : 0.5,
+        fine ? 0.0 : UNITVEC_PARALLEL_INSET, false, in_steps);
     return plane;
 }
 
 UnitvecParallelPlane unitvec_parallel_sextant(uint u_bits, uint v_bits) {
     vec2 m = vec2(unitvec_snorm_max(u_bits), unitvec_snorm_max(v_bits));
     UNITVEC_PRECISE vec2 steps = m * 1.4142135;
-    UnitvecParallelPlane plane = UnitvecParallelPlane(uvec2(u_bits, v_bits), m, steps, UNITVEC_PARALLEL_SEXTANT_LIMIT,
-        u_bits > 22u ? 0.0 : UNITVEC_PARALLEL_INSET, true);
+    UnitvecParallelPlane plane = UnitvecParallelPlane(uvec2(u_bits, v_bits), m, steps, UNITVEC_PARALLEL_SEXTANT_LIMIT, 0.5,
+        u_bits > 22u ? 0.0 : UNITVEC_PARALLEL_INSET, true, false);
     return plane;
 }
 
@@ -58,55 +64,57 @@ vec2 unitvec_parallel_parts(UnitvecParallelPlane plane, vec2 e) {
     return plane.sextant ? in_sextant : on_disk;
 }
 
-// 1 on the border.
-float unitvec_parallel_extent(UnitvecParallelPlane plane, vec2 p) {
+// The limit on the border.
+float unitvec_parallel_extent(UnitvecParallelPlane plane, vec2 e) {
+    vec2 p = plane.in_steps ? e : unitvec_parallel_parts(plane, e);
     float larger = max(p.x, p.y);
     UNITVEC_PRECISE float disk = p.x * p.x + p.y * p.y;
     UNITVEC_PRECISE float sextant = disk + larger * larger;
     return plane.sextant ? sextant : disk;
 }
 
-bool unitvec_parallel_is_outside(UnitvecParallelPlane plane, vec2 e) {
-    return unitvec_parallel_extent(plane, unitvec_parallel_parts(plane, e)) > plane.limit;
-}
-
-// e with `by` steps less in the component along which the border is reached sooner.
-vec2 unitvec_parallel_inwards(UnitvecParallelPlane plane, vec2 e, float by) {
+// Whether the border is reached sooner along the first component.
+bool unitvec_parallel_is_along_x(UnitvecParallelPlane plane, vec2 e) {
     vec2 p = unitvec_parallel_parts(plane, e);
     UNITVEC_PRECISE float x = p.x * plane.steps.y;
     UNITVEC_PRECISE float y = p.y * plane.steps.x;
     UNITVEC_PRECISE float weighed_x = (p.x >= p.y ? 2.0 : 0.5) * x;
-    bool along_x = (plane.sextant ? weighed_x : x) >= y;
-    UNITVEC_PRECISE vec2 less = e - by;
-    return along_x ? vec2(less.x, e.y) : vec2(e.x, less.y);
+    bool along_x = plane.sextant ? weighed_x >= y : x >= y;
+    return plane.bits.x == plane.bits.y ? e.x >= e.y : along_x;
+}
+
+// e with `by` steps less in the component along which the border is reached sooner, if it moves.
+vec2 unitvec_parallel_inwards(vec2 e, bool moves, bool along_x, float by) {
+    UNITVEC_PRECISE vec2 inner = e - vec2(moves && along_x ? by : 0.0, moves && !along_x ? by : 0.0);
+    return inner;
 }
 
 // The factor that takes a point of this extent, from 1 on, inside, by 2^-21: the tangent of 1 / sqrt(extent) at 1,
 // which nowhere is above it.
-float unitvec_parallel_onto_border(float extent) {
-    UNITVEC_PRECISE float factor = 1.4999995 - 0.5 * extent;
+float unitvec_parallel_onto_border(float extent, float half_unit) {
+    UNITVEC_PRECISE float factor = 1.4999995 - half_unit * extent;
     return factor;
 }
 
 // Whole numbers of a point of the positive quadrant.
 vec2 unitvec_parallel_round(UnitvecParallelPlane plane, vec2 p) {
     UNITVEC_PRECISE vec2 position = p * plane.steps + 0.5;
-    vec2 e = min(floor(position), plane.m);
-    // Variables, since `&&` and `?:` branch around calls.
-    bool outside = unitvec_parallel_is_outside(plane, e);
-    bool inset_outside = unitvec_parallel_is_outside(plane, unitvec_parallel_inwards(plane, e, plane.inset));
-    vec2 inner = unitvec_parallel_inwards(plane, e, 1.0);
-    return outside && inset_outside ? inner : e;
+    // Rounding exceeds m only where the steps are as fine as that of the length.
+    vec2 e = plane.inset > 0.0 ? floor(position) : min(floor(position), plane.m);
+    bool along_x = unitvec_parallel_is_along_x(plane, e);
+    // Points outside when moved are outside as they are.
+    bool outside = unitvec_parallel_extent(plane, unitvec_parallel_inwards(e, true, along_x, plane.inset)) > plane.limit;
+    return unitvec_parallel_inwards(e, outside, along_x, 1.0);
 }
 
 // Point that whole numbers, not negative, stand for: not outside.
 vec2 unitvec_parallel_point(UnitvecParallelPlane plane, vec2 e) {
-    vec2 inner = unitvec_parallel_inwards(plane, e, plane.inset);
-    vec2 inset = unitvec_parallel_is_outside(plane, e) ? inner : e;
-    float extent = unitvec_parallel_extent(plane, unitvec_parallel_parts(plane, e));
-    UNITVEC_PRECISE vec2 projected = e * unitvec_parallel_onto_border(extent);
-    vec2 chosen = unitvec_parallel_is_outside(plane, inset) ? floor(projected) : inset;
-    return unitvec_parallel_parts(plane, chosen);
+    float extent = unitvec_parallel_extent(plane, e);
+    bool along_x = unitvec_parallel_is_along_x(plane, e);
+    vec2 inset = unitvec_parallel_inwards(e, extent > plane.limit, along_x, plane.inset);
+    UNITVEC_PRECISE vec2 projected = e * unitvec_parallel_onto_border(extent, plane.half_unit);
+    bool outside = unitvec_parallel_extent(plane, inset) > plane.limit;
+    return unitvec_parallel_parts(plane, outside ? floor(projected) : inset);
 }
 
 // v, which has a direction, at unit length; only scaled by a power of two, or not at all, where that is of unit length
@@ -126,15 +134,9 @@ float unitvec_parallel_third(vec2 p) {
     return unitvec_root(max(square, 0.0));
 }
 
-// Two's complement, in `bits` bits, of a whole number with a sign.
-uint unitvec_parallel_field(bool negative, float whole, uint bits) {
-    uint magnitude = unitvec_whole_to_u32(whole);
-    return (negative ? 0u - magnitude : magnitude) & unitvec_mask(bits);
-}
-
 uvec2 unitvec_parallel_pack(vec3 p, vec2 e, uint top, uint x_bits, uint y_bits) {
-    uint x = unitvec_parallel_field(unitvec_is_negative(p.x), e.x, x_bits);
-    uint y = unitvec_parallel_field(unitvec_is_negative(p.y), e.y, y_bits);
+    uint x = unitvec_signed_code(unitvec_negate_if(unitvec_is_negative(p.x), e.x), x_bits);
+    uint y = unitvec_signed_code(unitvec_negate_if(unitvec_is_negative(p.y), e.y), y_bits);
     uint low = x | (y << x_bits);
     uint components = x_bits + y_bits;
     if (components < 32u) {
@@ -159,22 +161,23 @@ uint unitvec_parallel_top(uvec2 code, uint components) {
     return code.y >> (components - 32u);
 }
 
+// A part with the sign of its whole number e. With 23 bits and more, whose points have no inset, a number other than 0 may
+// have become 0, which stays +0.
+float unitvec_parallel_signed(UnitvecParallelPlane plane, float part, float e) {
+    return plane.inset > 0.0 ? unitvec_with_sign(part, e) : unitvec_negate_positive(e < 0.0, part);
+}
+
 vec3 unitvec_parallel_from_plane(UnitvecParallelPlane plane, vec2 e, bool negative) {
     vec2 p = unitvec_parallel_point(plane, abs(e));
-    return vec3(unitvec_negate_positive(unitvec_is_negative(e.x), p.x),
-        unitvec_negate_positive(unitvec_is_negative(e.y), p.y),
+    return vec3(unitvec_parallel_signed(plane, p.x, e.x), unitvec_parallel_signed(plane, p.y, e.y),
         unitvec_negate_positive(negative, unitvec_parallel_third(p)));
 }
 
-// v at unit length, moved up to the equator if below it.
-vec3 unitvec_parallel_upper_unit(vec3 v) {
-    return unitvec_parallel_unit(unitvec_upper_or_z(v));
-}
-
 uint unitvec_xyonly_encode(vec3 v, uint bits) {
-    vec3 n = unitvec_parallel_upper_unit(v);
+    vec3 n = unitvec_parallel_unit(unitvec_upper(v));
     vec2 e = unitvec_parallel_round(unitvec_parallel_disk(bits, bits), abs(n.xy));
-    return unitvec_parallel_pack(n, e, 0u, bits, bits).x;
+    uint code = unitvec_parallel_pack(n, e, 0u, bits, bits).x;
+    return unitvec_is_upper_usable(v) ? code : 0u;
 }
 
 vec3 unitvec_xyonly_decode(uint code, uint bits) {
@@ -235,7 +238,7 @@ float unitvec_xyonly32f_half_below(float x) {
 }
 
 uint xyonly32f_encode(vec3 v) {
-    vec3 n = unitvec_parallel_upper_unit(v);
+    vec3 n = unitvec_parallel_unit(unitvec_upper(v));
     uint a = unitvec_half_encode_magnitude(n.x);
     uint b = unitvec_half_encode_magnitude(n.y);
     bool off_disk = unitvec_xyonly32f_is_off_disk(unitvec_xyonly32f_halves(a, b));
@@ -245,7 +248,7 @@ uint xyonly32f_encode(vec3 v) {
     uint y = b - (unwritten && a < b ? 1u : 0u);
     uint x_sign = unitvec_is_negative(n.x) && x != 0u ? 0x8000u : 0u;
     uint y_sign = unitvec_is_negative(n.y) && y != 0u ? 0x8000u : 0u;
-    return (x | x_sign) | ((y | y_sign) << 16u);
+    return unitvec_is_upper_usable(v) ? (x | x_sign) | ((y | y_sign) << 16u) : 0u;
 }
 
 vec3 xyonly32f_decode(uint code) {
@@ -256,7 +259,7 @@ vec3 xyonly32f_decode(uint code) {
     vec2 inset = unitvec_xyonly32f_is_off_disk(p) ? inner : p;
     vec2 unit = min(p, 1.0);
     UNITVEC_PRECISE float square = unit.x * unit.x + unit.y * unit.y;
-    UNITVEC_PRECISE vec2 projected = unit * unitvec_parallel_onto_border(square);
+    UNITVEC_PRECISE vec2 projected = unit * unitvec_parallel_onto_border(square, 0.5);
     vec2 below = vec2(unitvec_xyonly32f_half_below(projected.x), unitvec_xyonly32f_half_below(projected.y));
     vec2 q = unitvec_xyonly32f_is_off_disk(inset) ? below : inset;
     return vec3(unitvec_negate_positive((code & 0x8000u) != 0u, q.x), unitvec_negate_positive((code >> 31u) != 0u, q.y),

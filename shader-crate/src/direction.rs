@@ -1,6 +1,6 @@
 //! The rule for usable directions, on which every codec's handling of bad input rests.
 
-use crate::arith::{is_negative, is_within};
+use crate::arith::{is_within, max};
 use glam::Vec3;
 
 /// Least L1 norm of a usable direction: 2^-64.
@@ -32,10 +32,12 @@ pub fn or_z(v: Vec3) -> (Vec3, f32) {
     if is_usable(norm) { (v, norm) } else { (Vec3::Z, 1.0) }
 }
 
-/// `v`, moved up to the equator if below it (z of at least 0), and its L1 norm. +Z and 1 where that has no usable
+/// `v`, moved up to the equator if below it (z of at least 0), its L1 norm, and whether that and `v` have a usable
 /// direction.
 #[inline(always)]
-pub fn upper_or_z(v: Vec3) -> (Vec3, f32) {
-    let (v, _) = or_z(v);
-    or_z(Vec3::new(v.x, v.y, if is_negative(v.z) { 0.0 } else { v.z }))
+pub fn upper(v: Vec3) -> (Vec3, f32, bool) {
+    let upper = Vec3::new(v.x, v.y, max(v.z, 0.0));
+    let norm = l1_norm(upper);
+    let usable = l1_norm(v).to_bits() < MAX_NORM.to_bits() && norm.to_bits() >= MIN_NORM.to_bits();
+    (upper, norm, usable)
 }

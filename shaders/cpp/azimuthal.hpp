@@ -52,9 +52,9 @@ UNITVEC_FN float4 unitvec_stereo_to_disk(float3 v) {
 }
 
 UNITVEC_FN float3 unitvec_disk_to_stereo(float2 at, float rim) {
-    float sum = unitvec_rounded(2.0f - rim);
-    float2 doubled = 2.0f * at;
-    return float3(unitvec_signed_quotients(doubled, float2(sum)), unitvec_signed_quotient(rim, sum));
+    float half_rim = 0.5f * rim;
+    float half_sum = unitvec_rounded(1.0f - half_rim);
+    return float3(unitvec_signed_quotients(at, float2(half_sum)), unitvec_signed_quotient(half_rim, half_sum));
 }
 
 UNITVEC_FN float4 unitvec_eqarea_to_disk(float3 v) {
@@ -129,6 +129,12 @@ UNITVEC_FN float2 unitvec_azimuthal_parts(float2 e, uint bits) {
     return float2(unitvec_snorm_part(e.x, bits / 2u), v);
 }
 
+// p over the largest integers, rounded as the device divides; v's is a power of two.
+UNITVEC_FN float2 unitvec_azimuthal_over_largest(float2 p, uint bits) {
+    float v = unitvec_rounded(p.y * unitvec_exp2(2 - int(bits / 2u)));
+    return float2(unitvec_signed_quotient(p.x, unitvec_azimuthal_largest(bits).x), v);
+}
+
 // True for lattice points e with cells of which the disk covers nothing, or next to nothing.
 UNITVEC_FN bool unitvec_plain_is_remote(float2 e, uint bits) {
     float2 nearest = unitvec_rounded(e - UNITVEC_AZIMUTHAL_REACH);
@@ -139,24 +145,27 @@ UNITVEC_FN bool unitvec_plain_is_remote(float2 e, uint bits) {
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
 UNITVEC_FN float2 unitvec_plain_settle(float2 e, uint bits) {
-    float2 slope = unitvec_signed_quotients(unitvec_azimuthal_parts(e, bits), unitvec_azimuthal_largest(bits));
-    float2 settled = unitvec_rounded(e - (slope.x > slope.y ? float2(1.0f, 0.0f) : float2(0.0f, 1.0f)));
-    return unitvec_plain_is_remote(e, bits) ? settled : e;
+    float2 slope = unitvec_azimuthal_over_largest(unitvec_azimuthal_parts(e, bits), bits);
+    bool along_u = slope.x > slope.y;
+    bool remote = unitvec_plain_is_remote(e, bits);
+    float2 settled = unitvec_rounded(e - float2(remote && along_u ? 1.0f : 0.0f, remote && !along_u ? 1.0f : 0.0f));
+    return settled;
 }
 
-// Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell.
-UNITVEC_FN float2 unitvec_plain_move_to_rim(float2 p, float2 m, float excess) {
-    float2 slope = unitvec_signed_quotients(p, m);
+// Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell. Others stay.
+UNITVEC_FN float2 unitvec_plain_move_to_rim(float2 p, float excess, uint bits) {
+    float2 slope = unitvec_azimuthal_over_largest(p, bits);
     bool along_u = slope.x > slope.y;
     float steep = along_u ? slope.x : slope.y;
     float gentle = along_u ? slope.y : slope.x;
     float alone = unitvec_signed_quotient(excess, steep);
     float left = unitvec_rounded(excess - unitvec_rounded(UNITVEC_AZIMUTHAL_REACH * steep));
     float remainder = unitvec_signed_quotient(left, gentle);
-    float first = alone < UNITVEC_AZIMUTHAL_REACH ? alone : UNITVEC_AZIMUTHAL_REACH;
-    float second = alone < UNITVEC_AZIMUTHAL_REACH ? 0.0f : remainder;
+    bool beyond = excess >= 0.0f;
+    float first = beyond ? min(alone, UNITVEC_AZIMUTHAL_REACH) : 0.0f;
+    float second = beyond && alone >= UNITVEC_AZIMUTHAL_REACH ? remainder : 0.0f;
     float2 moved = along_u ? float2(first, second) : float2(second, first);
-    float2 on_rim = unitvec_rounded(p - unitvec_signed_quotients(moved, m));
+    float2 on_rim = unitvec_rounded(p - unitvec_azimuthal_over_largest(moved, bits));
     return on_rim;
 }
 
@@ -165,12 +174,11 @@ UNITVEC_FN float4 unitvec_plain_to_disk(float2 e, uint bits) {
     float2 p = unitvec_azimuthal_parts(e, bits);
     float rim = unitvec_rounded(1.0f - unitvec_rounded(unitvec_rounded(p.x * p.x) + unitvec_rounded(p.y * p.y)));
     float excess = unitvec_rounded(-0.5f * rim);
-    float2 moved = unitvec_plain_move_to_rim(p, unitvec_azimuthal_largest(bits), excess);
+    float2 moved = unitvec_plain_move_to_rim(p, excess, bits);
     float2 axis = p.x > p.y ? float2(1.0f, 0.0f) : float2(0.0f, 1.0f);
-    float2 on_rim = unitvec_plain_is_remote(e, bits) ? axis : moved;
-    float rest = unitvec_rounded(1.0f - unitvec_rounded(unitvec_rounded(on_rim.x * on_rim.x)
-        + unitvec_rounded(on_rim.y * on_rim.y)));
-    return rim > 0.0f ? float4(p, 0.0f, rim) : float4(on_rim, 0.0f, rest < 0.0f ? rest : 0.0f);
+    float2 at = unitvec_plain_is_remote(e, bits) ? axis : moved;
+    float rest = unitvec_rounded(1.0f - unitvec_rounded(unitvec_rounded(at.x * at.x) + unitvec_rounded(at.y * at.y)));
+    return float4(at, 0.0f, rim > 0.0f ? rest : min(rest, 0.0f));
 }
 
 // Disk point of a point on the square of the disk as it is; points beyond the rim are moved to it.
@@ -288,13 +296,13 @@ UNITVEC_FN float3 unitvec_azimuthal_decode(uint code, int projection, int map, u
     // v without regard to the highest bit.
     float2 e =
         float2(unitvec_snorm_integer(code, bits / 2u), float(unitvec_signed_field(code, bits / 2u, bits / 2u - 1u)));
-    bool flag = ((code >> (bits - 1u)) & 1u) != 0u;
+    bool flag = (code & (1u << (bits - 1u))) != 0u;
     float2 s = unitvec_azimuthal_parts(abs(e), bits);
     float4 disk = map == UNITVEC_PLAIN ? unitvec_plain_to_disk(abs(e), bits)
         : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_disk(s) : unitvec_ellipse_to_disk(s));
     float3 n = unitvec_azimuthal_from_disk(disk, projection);
     bool back = e.y < 0.0f && !(flag && e.y <= -unitvec_azimuthal_largest(bits).y);
-    return float3(unitvec_azimuthal_signed(e.x < 0.0f, n.x), unitvec_azimuthal_signed(back, n.y),
+    return float3(unitvec_negate_positive(e.x < 0.0f, n.x), unitvec_negate_positive(back, n.y),
         unitvec_azimuthal_signed(flag, n.z));
 }
 

@@ -242,15 +242,10 @@ UNITVEC_FN float4 unitvec_best_fit_cell_lengths(uint2 cell) {
     return lengths;
 }
 
-// A length from 64 to 127, whatever the word: its bits 17 to 22, as the first of the mantissa, with the exponent of 64.
-UNITVEC_FN float unitvec_best_fit_length_of(uint word) {
-    return uintBitsToFloat((word & 0x007e0000u) | 0x42800000u);
-}
-
-// The lengths in a word of the table, in the low six bits of each byte.
+// The lengths in a word of the table, in the low six bits of each byte: 64 to 127, whatever the word.
 UNITVEC_FN float4 unitvec_best_fit_lengths_in(uint word) {
-    return float4(unitvec_best_fit_length_of(word << 17u), unitvec_best_fit_length_of(word << 9u),
-        unitvec_best_fit_length_of(word << 1u), unitvec_best_fit_length_of(word >> 7u));
+    uint bytes = (word & 0x3f3f3f3fu) | 0x40404040u;
+    return float4(float(bytes & 255u), float((bytes >> 8u) & 255u), float((bytes >> 16u) & 255u), float(bytes >> 24u));
 }
 
 // Number of a cell's word: four columns side by side have their rows, of which they need no more than there are

@@ -53,9 +53,9 @@ vec4 unitvec_stereo_to_disk(vec3 v) {
 }
 
 vec3 unitvec_disk_to_stereo(vec2 at, float rim) {
-    float sum = 2.0 - rim;
-    vec2 doubled = 2.0 * at;
-    return vec3(unitvec_signed_quotients(doubled, vec2(sum)), unitvec_signed_quotient(rim, sum));
+    float half_rim = 0.5 * rim;
+    float half_sum = 1.0 - half_rim;
+    return vec3(unitvec_signed_quotients(at, vec2(half_sum)), unitvec_signed_quotient(half_rim, half_sum));
 }
 
 vec4 unitvec_eqarea_to_disk(vec3 v) {
@@ -127,6 +127,12 @@ vec2 unitvec_azimuthal_parts(vec2 e, uint bits) {
     return vec2(unitvec_snorm_part(e.x, bits / 2u), v);
 }
 
+// p over the largest integers, rounded as the device divides; v's is a power of two.
+vec2 unitvec_azimuthal_over_largest(vec2 p, uint bits) {
+    float v = p.y * unitvec_exp2(2 - int(bits / 2u));
+    return vec2(unitvec_signed_quotient(p.x, unitvec_azimuthal_largest(bits).x), v);
+}
+
 // True for lattice points e with cells of which the disk covers nothing, or next to nothing.
 bool unitvec_plain_is_remote(vec2 e, uint bits) {
     vec2 nearest = e - UNITVEC_AZIMUTHAL_REACH;
@@ -137,24 +143,27 @@ bool unitvec_plain_is_remote(vec2 e, uint bits) {
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
 vec2 unitvec_plain_settle(vec2 e, uint bits) {
-    vec2 slope = unitvec_signed_quotients(unitvec_azimuthal_parts(e, bits), unitvec_azimuthal_largest(bits));
-    vec2 settled = e - (slope.x > slope.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
-    return unitvec_plain_is_remote(e, bits) ? settled : e;
+    vec2 slope = unitvec_azimuthal_over_largest(unitvec_azimuthal_parts(e, bits), bits);
+    bool along_u = slope.x > slope.y;
+    bool remote = unitvec_plain_is_remote(e, bits);
+    vec2 settled = e - vec2(remote && along_u ? 1.0 : 0.0, remote && !along_u ? 1.0 : 0.0);
+    return settled;
 }
 
-// Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell.
-vec2 unitvec_plain_move_to_rim(vec2 p, vec2 m, float excess) {
-    vec2 slope = unitvec_signed_quotients(p, m);
+// Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell. Others stay.
+vec2 unitvec_plain_move_to_rim(vec2 p, float excess, uint bits) {
+    vec2 slope = unitvec_azimuthal_over_largest(p, bits);
     bool along_u = slope.x > slope.y;
     float steep = along_u ? slope.x : slope.y;
     float gentle = along_u ? slope.y : slope.x;
     float alone = unitvec_signed_quotient(excess, steep);
     float left = excess - UNITVEC_AZIMUTHAL_REACH * steep;
     float remainder = unitvec_signed_quotient(left, gentle);
-    float first = alone < UNITVEC_AZIMUTHAL_REACH ? alone : UNITVEC_AZIMUTHAL_REACH;
-    float second = alone < UNITVEC_AZIMUTHAL_REACH ? 0.0 : remainder;
+    bool beyond = excess >= 0.0;
+    float first = beyond ? min(alone, UNITVEC_AZIMUTHAL_REACH) : 0.0;
+    float second = beyond && alone >= UNITVEC_AZIMUTHAL_REACH ? remainder : 0.0;
     vec2 moved = along_u ? vec2(first, second) : vec2(second, first);
-    vec2 on_rim = p - unitvec_signed_quotients(moved, m);
+    vec2 on_rim = p - unitvec_azimuthal_over_largest(moved, bits);
     return on_rim;
 }
 
@@ -163,11 +172,11 @@ vec4 unitvec_plain_to_disk(vec2 e, uint bits) {
     vec2 p = unitvec_azimuthal_parts(e, bits);
     float rim = 1.0 - (p.x * p.x + p.y * p.y);
     float excess = -0.5 * rim;
-    vec2 moved = unitvec_plain_move_to_rim(p, unitvec_azimuthal_largest(bits), excess);
+    vec2 moved = unitvec_plain_move_to_rim(p, excess, bits);
     vec2 axis = p.x > p.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
-    vec2 on_rim = unitvec_plain_is_remote(e, bits) ? axis : moved;
-    float rest = 1.0 - (on_rim.x * on_rim.x + on_rim.y * on_rim.y);
-    return rim > 0.0 ? vec4(p, 0.0, rim) : vec4(on_rim, 0.0, rest < 0.0 ? rest : 0.0);
+    vec2 at = unitvec_plain_is_remote(e, bits) ? axis : moved;
+    float rest = 1.0 - (at.x * at.x + at.y * at.y);
+    return vec4(at, 0.0, rim > 0.0 ? rest : min(rest, 0.0));
 }
 
 // Disk point of a point on the square of the disk as it is; points beyond the rim are moved to it.
@@ -283,13 +292,13 @@ uint unitvec_azimuthal_encode(vec3 v, int projection, int map, uint bits) {
 vec3 unitvec_azimuthal_decode(uint code, int projection, int map, uint bits) {
     // v without regard to the highest bit.
     vec2 e = vec2(unitvec_snorm_integer(code, bits / 2u), float(unitvec_signed_field(code, bits / 2u, bits / 2u - 1u)));
-    bool flag = ((code >> (bits - 1u)) & 1u) != 0u;
+    bool flag = (code & (1u << (bits - 1u))) != 0u;
     vec2 s = unitvec_azimuthal_parts(abs(e), bits);
     vec4 disk = map == UNITVEC_PLAIN ? unitvec_plain_to_disk(abs(e), bits)
         : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_disk(s) : unitvec_ellipse_to_disk(s));
     vec3 n = unitvec_azimuthal_from_disk(disk, projection);
     bool back = e.y < 0.0 && !(flag && e.y <= -unitvec_azimuthal_largest(bits).y);
-    return vec3(unitvec_azimuthal_signed(e.x < 0.0, n.x), unitvec_azimuthal_signed(back, n.y),
+    return vec3(unitvec_negate_positive(e.x < 0.0, n.x), unitvec_negate_positive(back, n.y),
         unitvec_azimuthal_signed(flag, n.z));
 }
 

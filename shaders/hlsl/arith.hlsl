@@ -945,10 +945,16 @@ float3 unitvec_or_z(float3 v) {
     return unitvec_is_usable(unitvec_l1_norm(v)) ? v : float3(0.0, 0.0, 1.0);
 }
 
-// v, moved up to the equator if below it, or +Z where that has no usable direction.
-float3 unitvec_upper_or_z(float3 v) {
-    v = unitvec_or_z(v);
-    return unitvec_or_z(float3(v.xy, unitvec_is_negative(v.z) ? 0.0 : v.z));
+// v, moved up to the equator if below it.
+float3 unitvec_upper(float3 v) {
+    return float3(v.xy, max(v.z, 0.0));
+}
+
+// True where both v and unitvec_upper(v) have a usable direction.
+bool unitvec_is_upper_usable(float3 v) {
+    uint norm = asuint(unitvec_l1_norm(v));
+    uint upper_norm = asuint(unitvec_l1_norm(unitvec_upper(v)));
+    return norm < asuint(UNITVEC_MAX_NORM) && upper_norm >= asuint(UNITVEC_MIN_NORM);
 }
 
 // angles: functions that the codecs of longitude and latitude or height share; the Rust crate has them in the codecs'

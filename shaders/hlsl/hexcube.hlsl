@@ -130,8 +130,12 @@ uint unitvec_hexcube_encode(float3 v, UnitvecHexcubeLattice lattice) {
 float3 unitvec_hexcube_decode(uint code, UnitvecHexcubeLattice lattice) {
     uint points = unitvec_hexcube_face(lattice);
     code = min(code, 6u * points - 1u);
-    uint face = code / points;
-    uint doubled = 2u * (code - face * points);
+    bool is_x = code < 2u * points;
+    bool is_z = code >= 4u * points;
+    // Comparisons, which take less than another division.
+    uint on_axis = code - (is_z ? 4u * points : (is_x ? 0u : 2u * points));
+    bool is_back = on_axis >= points;
+    uint doubled = 2u * (on_axis - (is_back ? points : 0u));
     uint line_length = uint(unitvec_hexcube_line(lattice));
     uint line_number = doubled / line_length;
     float column = float(int(doubled - line_number * line_length) - lattice.columns);
@@ -143,9 +147,7 @@ float3 unitvec_hexcube_decode(uint code, UnitvecHexcubeLattice lattice) {
     precise float3 scaled =
         float3((UNITVEC_HEXCUBE_WEIGHT * column) * along, (UNITVEC_HEXCUBE_WEIGHT * row) * across, across * along);
     float3 p = unitvec_normalize(scaled);
-    float front = unitvec_negate_if((face & 1u) != 0u, p.z);
-    bool is_x = face < 2u;
-    bool is_z = face >= 4u;
+    float front = unitvec_negate_if(is_back, p.z);
     float y_of_yz = is_z ? p.y : front;
     return float3(is_x ? front : p.x, is_x ? p.x : y_of_yz, is_z ? front : p.y);
 }

@@ -21,29 +21,34 @@ constant float UNITVEC_PARALLEL_INSET = 0.4375f;
 // 1 - 2^-21: the extent of a sextant, which leaves room for the rounding of the largest component.
 constant float UNITVEC_PARALLEL_SEXTANT_LIMIT = 0.9999995f;
 
-// The plane that the components are stored in.
+// The plane that the components are stored in. half_unit is half an extent of 1. in_steps: extents are those of points in
+// steps; only for two components of 8 bits, where they tell the same points outside.
 struct UnitvecParallelPlane {
     uint2 bits;
     float2 m;
     float2 steps;
     float limit;
+    float half_unit;
     float inset;
     bool sextant;
+    bool in_steps;
 };
 
 inline UnitvecParallelPlane unitvec_parallel_disk(uint x_bits, uint y_bits) {
     float2 m = float2(unitvec_snorm_max(x_bits), unitvec_snorm_max(y_bits));
     bool fine = x_bits > 22u;
-    UnitvecParallelPlane plane =
-        { uint2(x_bits, y_bits), m, m, fine ? 1.0000004f : 1.0f, fine ? 0.0f : UNITVEC_PARALLEL_INSET, false };
+    bool in_steps = x_bits == 8u && y_bits == 8u;
+    float square = m.x * m.x;
+    UnitvecParallelPlane plane = { uint2(x_bits, y_bits), m, m, in_steps ? square : (fine ? 1.0000004f : 1.0f),
+        in_steps ? unitvec_over(0.5f, square) : 0.5f, fine ? 0.0f : UNITVEC_PARALLEL_INSET, false, in_steps };
     return plane;
 }
 
 inline UnitvecParallelPlane unitvec_parallel_sextant(uint u_bits, uint v_bits) {
     float2 m = float2(unitvec_snorm_max(u_bits), unitvec_snorm_max(v_bits));
     float2 steps = m * 1.4142135f;
-    UnitvecParallelPlane plane = { uint2(u_bits, v_bits), m, steps, UNITVEC_PARALLEL_SEXTANT_LIMIT,
-        u_bits > 22u ? 0.0f : UNITVEC_PARALLEL_INSET, true };
+    UnitvecParallelPlane plane = { uint2(u_bits, v_bits), m, steps, UNITVEC_PARALLEL_SEXTANT_LIMIT, 0.5f,
+        u_bits > 22u ? 0.0f : UNITVEC_PARALLEL_INSET, true, false };
     return plane;
 }
 
@@ -55,55 +60,58 @@ inline float2 unitvec_parallel_parts(UnitvecParallelPlane plane, float2 e) {
     return plane.sextant ? in_sextant : on_disk;
 }
 
-// 1 on the border.
-inline float unitvec_parallel_extent(UnitvecParallelPlane plane, float2 p) {
+// The limit on the border.
+inline float unitvec_parallel_extent(UnitvecParallelPlane plane, float2 e) {
+    float2 p = plane.in_steps ? e : unitvec_parallel_parts(plane, e);
     float larger = max(p.x, p.y);
     float disk = p.x * p.x + p.y * p.y;
     float sextant = disk + larger * larger;
     return plane.sextant ? sextant : disk;
 }
 
-inline bool unitvec_parallel_is_outside(UnitvecParallelPlane plane, float2 e) {
-    return unitvec_parallel_extent(plane, unitvec_parallel_parts(plane, e)) > plane.limit;
-}
-
-// e with `by` steps less in the component along which the border is reached sooner.
-inline float2 unitvec_parallel_inwards(UnitvecParallelPlane plane, float2 e, float by) {
+// Whether the border is reached sooner along the first component.
+inline bool unitvec_parallel_is_along_x(UnitvecParallelPlane plane, float2 e) {
     float2 p = unitvec_parallel_parts(plane, e);
     float x = p.x * plane.steps.y;
     float y = p.y * plane.steps.x;
     float weighed_x = (p.x >= p.y ? 2.0f : 0.5f) * x;
-    bool along_x = (plane.sextant ? weighed_x : x) >= y;
-    float2 less = e - by;
-    return along_x ? float2(less.x, e.y) : float2(e.x, less.y);
+    bool along_x = plane.sextant ? weighed_x >= y : x >= y;
+    return plane.bits.x == plane.bits.y ? e.x >= e.y : along_x;
+}
+
+// e with `by` steps less in the component along which the border is reached sooner, if it moves.
+inline float2 unitvec_parallel_inwards(float2 e, bool moves, bool along_x, float by) {
+    float2 inner = e - float2(moves && along_x ? by : 0.0f, moves && !along_x ? by : 0.0f);
+    return inner;
 }
 
 // The factor that takes a point of this extent, from 1 on, inside, by 2^-21: the tangent of 1 / sqrt(extent) at 1,
 // which nowhere is above it.
-inline float unitvec_parallel_onto_border(float extent) {
-    float factor = 1.4999995f - 0.5f * extent;
+inline float unitvec_parallel_onto_border(float extent, float half_unit) {
+    float factor = 1.4999995f - half_unit * extent;
     return factor;
 }
 
 // Whole numbers of a point of the positive quadrant.
 inline float2 unitvec_parallel_round(UnitvecParallelPlane plane, float2 p) {
     float2 position = p * plane.steps + 0.5f;
-    float2 e = min(floor(position), plane.m);
-    // Variables, since `&&` and `?:` branch around calls.
-    bool outside = unitvec_parallel_is_outside(plane, e);
-    bool inset_outside = unitvec_parallel_is_outside(plane, unitvec_parallel_inwards(plane, e, plane.inset));
-    float2 inner = unitvec_parallel_inwards(plane, e, 1.0f);
-    return outside && inset_outside ? inner : e;
+    // Rounding exceeds m only where the steps are as fine as that of the length.
+    float2 e = plane.inset > 0.0f ? floor(position) : min(floor(position), plane.m);
+    bool along_x = unitvec_parallel_is_along_x(plane, e);
+    // Points outside when moved are outside as they are.
+    bool outside =
+        unitvec_parallel_extent(plane, unitvec_parallel_inwards(e, true, along_x, plane.inset)) > plane.limit;
+    return unitvec_parallel_inwards(e, outside, along_x, 1.0f);
 }
 
 // Point that whole numbers, not negative, stand for: not outside.
 inline float2 unitvec_parallel_point(UnitvecParallelPlane plane, float2 e) {
-    float2 inner = unitvec_parallel_inwards(plane, e, plane.inset);
-    float2 inset = unitvec_parallel_is_outside(plane, e) ? inner : e;
-    float extent = unitvec_parallel_extent(plane, unitvec_parallel_parts(plane, e));
-    float2 projected = e * unitvec_parallel_onto_border(extent);
-    float2 chosen = unitvec_parallel_is_outside(plane, inset) ? floor(projected) : inset;
-    return unitvec_parallel_parts(plane, chosen);
+    float extent = unitvec_parallel_extent(plane, e);
+    bool along_x = unitvec_parallel_is_along_x(plane, e);
+    float2 inset = unitvec_parallel_inwards(e, extent > plane.limit, along_x, plane.inset);
+    float2 projected = e * unitvec_parallel_onto_border(extent, plane.half_unit);
+    bool outside = unitvec_parallel_extent(plane, inset) > plane.limit;
+    return unitvec_parallel_parts(plane, outside ? floor(projected) : inset);
 }
 
 // v, which has a direction, at unit length; only scaled by a power of two, or not at all, where that is of unit length
@@ -123,15 +131,9 @@ inline float unitvec_parallel_third(float2 p) {
     return unitvec_root(max(square, 0.0f));
 }
 
-// Two's complement, in `bits` bits, of a whole number with a sign.
-inline uint unitvec_parallel_field(bool negative, float whole, uint bits) {
-    uint magnitude = unitvec_whole_to_u32(whole);
-    return (negative ? 0u - magnitude : magnitude) & unitvec_mask(bits);
-}
-
 inline uint2 unitvec_parallel_pack(float3 p, float2 e, uint top, uint x_bits, uint y_bits) {
-    uint x = unitvec_parallel_field(unitvec_is_negative(p.x), e.x, x_bits);
-    uint y = unitvec_parallel_field(unitvec_is_negative(p.y), e.y, y_bits);
+    uint x = unitvec_signed_code(unitvec_negate_if(unitvec_is_negative(p.x), e.x), x_bits);
+    uint y = unitvec_signed_code(unitvec_negate_if(unitvec_is_negative(p.y), e.y), y_bits);
     uint low = x | (y << x_bits);
     uint components = x_bits + y_bits;
     if (components < 32u) {
@@ -156,22 +158,23 @@ inline uint unitvec_parallel_top(uint2 code, uint components) {
     return code.y >> (components - 32u);
 }
 
-inline float3 unitvec_parallel_from_plane(UnitvecParallelPlane plane, float2 e, bool negative) {
-    float2 p = unitvec_parallel_point(plane, abs(e));
-    return float3(unitvec_negate_positive(unitvec_is_negative(e.x), p.x),
-        unitvec_negate_positive(unitvec_is_negative(e.y), p.y), unitvec_negate_positive(negative,
-        unitvec_parallel_third(p)));
+// A part with the sign of its whole number e. With 23 bits and more, whose points have no inset, a number other than 0 may
+// have become 0, which stays +0.
+inline float unitvec_parallel_signed(UnitvecParallelPlane plane, float part, float e) {
+    return plane.inset > 0.0f ? unitvec_with_sign(part, e) : unitvec_negate_positive(e < 0.0f, part);
 }
 
-// v at unit length, moved up to the equator if below it.
-inline float3 unitvec_parallel_upper_unit(float3 v) {
-    return unitvec_parallel_unit(unitvec_upper_or_z(v));
+inline float3 unitvec_parallel_from_plane(UnitvecParallelPlane plane, float2 e, bool negative) {
+    float2 p = unitvec_parallel_point(plane, abs(e));
+    return float3(unitvec_parallel_signed(plane, p.x, e.x), unitvec_parallel_signed(plane, p.y, e.y),
+        unitvec_negate_positive(negative, unitvec_parallel_third(p)));
 }
 
 inline uint unitvec_xyonly_encode(float3 v, uint bits) {
-    float3 n = unitvec_parallel_upper_unit(v);
+    float3 n = unitvec_parallel_unit(unitvec_upper(v));
     float2 e = unitvec_parallel_round(unitvec_parallel_disk(bits, bits), abs(n.xy));
-    return unitvec_parallel_pack(n, e, 0u, bits, bits).x;
+    uint code = unitvec_parallel_pack(n, e, 0u, bits, bits).x;
+    return unitvec_is_upper_usable(v) ? code : 0u;
 }
 
 inline float3 unitvec_xyonly_decode(uint code, uint bits) {
@@ -232,7 +235,7 @@ inline float unitvec_xyonly32f_half_below(float x) {
 }
 
 inline uint xyonly32f_encode(float3 v) {
-    float3 n = unitvec_parallel_upper_unit(v);
+    float3 n = unitvec_parallel_unit(unitvec_upper(v));
     uint a = unitvec_half_encode_magnitude(n.x);
     uint b = unitvec_half_encode_magnitude(n.y);
     bool off_disk = unitvec_xyonly32f_is_off_disk(unitvec_xyonly32f_halves(a, b));
@@ -242,7 +245,7 @@ inline uint xyonly32f_encode(float3 v) {
     uint y = b - (unwritten && a < b ? 1u : 0u);
     uint x_sign = unitvec_is_negative(n.x) && x != 0u ? 0x8000u : 0u;
     uint y_sign = unitvec_is_negative(n.y) && y != 0u ? 0x8000u : 0u;
-    return (x | x_sign) | ((y | y_sign) << 16u);
+    return unitvec_is_upper_usable(v) ? (x | x_sign) | ((y | y_sign) << 16u) : 0u;
 }
 
 inline float3 xyonly32f_decode(uint code) {
@@ -253,7 +256,7 @@ inline float3 xyonly32f_decode(uint code) {
     float2 inset = unitvec_xyonly32f_is_off_disk(p) ? inner : p;
     float2 unit = min(p, float2(1.0f));
     float square = unit.x * unit.x + unit.y * unit.y;
-    float2 projected = unit * unitvec_parallel_onto_border(square);
+    float2 projected = unit * unitvec_parallel_onto_border(square, 0.5f);
     float2 below = float2(unitvec_xyonly32f_half_below(projected.x), unitvec_xyonly32f_half_below(projected.y));
     float2 q = unitvec_xyonly32f_is_off_disk(inset) ? below : inset;
     return float3(unitvec_negate_positive((code & 0x8000u) != 0u, q.x),

@@ -810,11 +810,16 @@ fn unitvec_or_z(v: vec3f) -> vec3f {
     return select(vec3f(0.0, 0.0, 1.0), v, unitvec_is_usable(unitvec_l1_norm(v)));
 }
 
-// v, moved up to the equator if below it, or +Z where that has no usable direction.
-fn unitvec_upper_or_z(v_in: vec3f) -> vec3f {
-    var v = v_in;
-    v = unitvec_or_z(v);
-    return unitvec_or_z(vec3f(v.xy, select(v.z, 0.0, unitvec_is_negative(v.z))));
+// v, moved up to the equator if below it.
+fn unitvec_upper(v: vec3f) -> vec3f {
+    return vec3f(v.xy, max(v.z, 0.0));
+}
+
+// True where both v and unitvec_upper(v) have a usable direction.
+fn unitvec_is_upper_usable(v: vec3f) -> bool {
+    let norm = bitcast<u32>(unitvec_l1_norm(v));
+    let upper_norm = bitcast<u32>(unitvec_l1_norm(unitvec_upper(v)));
+    return norm < bitcast<u32>(UNITVEC_MAX_NORM) && upper_norm >= bitcast<u32>(UNITVEC_MIN_NORM);
 }
 
 // angles: functions that the codecs of longitude and latitude or height share; the Rust crate has them in the codecs'

@@ -168,9 +168,9 @@ fn unitvec_ico_encode(v: vec3f, lattice: UnitvecIcoLattice) -> u32 {
     let x_side = unitvec_is_negative(v.x);
     let y_side = unitvec_is_negative(v.y);
     let z_side = unitvec_is_negative(v.z);
-    let straddled_side = (of_y && y_side) || (of_z && z_side) || (of_x && x_side);
-    let base_side = (of_y && z_side) || (of_z && x_side) || (of_x && y_side);
-    let apex_side = (of_y && x_side) || (of_z && y_side) || (of_x && z_side);
+    let straddled_side = select(select(y_side, x_side, of_x), z_side, of_z);
+    let base_side = select(select(z_side, y_side, of_x), x_side, of_z);
+    let apex_side = select(select(x_side, z_side, of_x), y_side, of_z);
 
     // All of these are whole.
     let depth = select(select(i.z, i.x, of_x), i.y, of_z);
@@ -205,21 +205,21 @@ fn unitvec_ico_decode(code_in: u32, lattice: UnitvecIcoLattice) -> vec3f {
     let is_octant = code >= unitvec_ico_octants(lattice);
     let first = select(0u, unitvec_ico_octants(lattice), is_octant);
     let row_length = select(lattice.n + 2u, lattice.n - 1u, is_octant);
-    let per_length = select(unitvec_over(2.0, n + 2.0), unitvec_over(2.0, n - 1.0), is_octant);
+    let per_length = select(unitvec_reciprocal(n + 2.0), unitvec_reciprocal(n - 1.0), is_octant);
     let rows = select(n, n - 2.0, is_octant);
-    let per_rows = select(unitvec_reciprocal(n), unitvec_reciprocal(n - 2.0), is_octant);
+    // A little more than 1 / rows, so that a block's first line, which is a multiple, counts to it.
+    let per_rows = select(unitvec_reciprocal(n - 0.1), unitvec_reciprocal(n - 2.1), is_octant);
 
-    // index / 2 fits a signed integer, which processors convert faster. The quotient is between 0.04 less and 0.03 more
-    // than the exact one: so `line_number` is it or the next, and then the remainder wraps.
+    // The quotient is between 0.04 less and 0.03 more than the exact one: so `near_line` is it or the next; then the
+    // remainder wraps.
     let index = code - first;
-    let quotient = f32(i32(index >> 1u)) * per_length + 0.05;
-    var line_number = floor(quotient);
-    let counted = line_number + UNITVEC_2_23;
-    let rest = index - (bitcast<u32>(counted) & 0x7fffffu) * row_length;
+    let counted = f32(index) * per_length + UNITVEC_2_23;
+    let near_line = bitcast<u32>(counted) & 0x7fffffu;
+    let rest = index - near_line * row_length;
     let is_next = rest >= row_length;
-    line_number = select(line_number, line_number - 1.0, is_next);
     let column = f32(i32(select(rest, rest + row_length, is_next)));
-    let part = (line_number + 0.5) * per_rows;
+    let line_number = f32(i32(near_line - select(0u, 1u, is_next)));
+    let part = line_number * per_rows;
     let block_number = floor(part);
     let row = line_number - block_number * rows;
 
@@ -235,13 +235,13 @@ fn unitvec_ico_decode(code_in: u32, lattice: UnitvecIcoLattice) -> vec3f {
     let to_z = select(w.y, 0.0, is_octant);
     let y_of_y = select(-1.0, UNITVEC_ICO_GOLDEN, is_octant);
     var v = vec3f(UNITVEC_ICO_GOLDEN * w.z + to_x, w.x + y_of_y * w.y, UNITVEC_ICO_GOLDEN * (w.x + to_z) + w.z);
-    let block = unitvec_whole_to_u32(block_number);
-    let odd = block << 31u;
-    let upper = (block << 30u) & UNITVEC_SIGN_BIT;
+    let is_odd = (unitvec_whole_to_u32(block_number) & 1u) != 0u;
+    let is_upper = part >= 2.0;
     v = unitvec_normalize(v);
-    v = vec3f(unitvec_negate_if(is_second, v.x), unitvec_flip_sign(v.y, select(0u, odd, is_octant)),
-        unitvec_flip_sign(v.z, select(odd, upper, is_octant)));
-    return unitvec_ico_turn(v, !is_octant && (block & 6u) == 2u, !is_octant && block >= 4u);
+    v = vec3f(unitvec_negate_if(is_second, v.x), unitvec_negate_if(is_octant && is_odd, v.y),
+        unitvec_negate_if(select(is_odd, is_upper, is_octant), v.z));
+    let of_x = !is_octant && part >= 4.0;
+    return unitvec_ico_turn(v, !is_octant && is_upper && !of_x, of_x);
 }
 
 fn ico16_encode(v: vec3f) -> u32 { return unitvec_ico_encode(v, UNITVEC_ICO_LATTICE_16); }

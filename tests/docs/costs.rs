@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::sync::LazyLock;
 use unitvec_catalogue::{AnyCodec, CODECS, Operation};
 use unitvec_choose::MEASURED;
-use unitvec_choose::costs::{GENERATIONS, Generation, Report, Row, Source};
+use unitvec_choose::costs::{GENERATIONS, Generation, Report, Row, Source, find_gpu};
 use unitvec_lab::isa::pareto;
 use unitvec_tests::repository;
 
@@ -155,17 +155,18 @@ pub fn exact() -> String {
 
 /// Costs in pixel and vertex shaders, unitvec's beside the textbook's.
 pub fn stages() -> String {
-    let report = stages::committed();
+    let reports = stages::GPUS.map(stages::committed);
     let rows = stages::WAYS.iter().map(|way| {
         let stages::Way(place, format, ours, textbook) = way;
-        let pair = |figure: fn(&Row) -> Option<u64>| {
-            let of = |expression: &str| way.beyond_idle(&report, expression, figure).to_string();
+        let cells = reports.each_ref().map(|report| {
+            let of =
+                |expression: &str| way.beyond_idle(report, expression, |row| row.instructions).to_string();
             format!("{} / {}", of(ours), textbook.map_or_else(|| "-".to_owned(), of))
-        };
-        format!("{place} | `{:?}` | `{ours}` | {}", format.raw, pair(|row| row.instructions))
+        });
+        format!("{place} | `{:?}` | `{ours}` | {}", format.raw, cells.join(" | "))
     });
-    let titles = "shader | format | expression | instructions: unitvec / textbook";
-    markdown_table(titles, rows)
+    let titles = stages::GPUS.map(|gpu| find_gpu(gpu).unwrap().title).join(" | ");
+    markdown_table(&format!("shader | format | unitvec's / the textbook's instructions | {titles}"), rows)
 }
 
 /// The compilers of the figures.

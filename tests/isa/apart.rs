@@ -2,12 +2,13 @@
 //! process.
 
 use super::compiled::{comparable, dearer};
-use super::{RENEW, rdna2, recorded};
+use super::{RENEW, recorded};
 use std::path::Path;
-use std::process::Command;
+use std::process::{Child, Command, Stdio};
 use std::sync::Arc;
-use unitvec_choose::costs::{Report, Row};
-use unitvec_lab::isa::radv::Radv;
+use unitvec_choose::costs::{KernelKind, Report, Row};
+use unitvec_lab::isa::Asked;
+use unitvec_lab::isa::stand_in::StandIn;
 use unitvec_manifest::sha256_hex;
 use unitvec_run::glsl::{self, Compiler};
 use unitvec_tests::repository;
@@ -16,14 +17,16 @@ use unitvec_vulkan::{DeviceChoice, Inspector, Instance};
 /// Names the file that [`compile`] writes to.
 const OUTPUT: &str = "UNITVEC_COMPILED_COSTS";
 
-/// The report that a test of this name makes by [`compile`] with the system's RADV.
-fn compiled(test: &str) -> Result<Report, String> {
-    let radv = Radv::new(rdna2().gpu, None).map_err(|error| error.to_string())?;
+/// The report that a test of this name makes by [`compile`] with the compiler for a GPU.
+fn compiled(test: &str, gpu: &str) -> Result<Report, String> {
+    let stand_in = StandIn::new(gpu, None).map_err(|error| error.to_string())?;
     let folder = tempfile::tempdir().unwrap();
     let output = folder.path().join("costs.json");
     let mut program = Command::new(std::env::current_exe().unwrap());
-    program.args(["--ignored", "--exact", test]);
-    let ended = program.envs(radv.environment()).env(OUTPUT, &output).output().unwrap();
+    program.args(["--ignored", "--exact", test]).env(OUTPUT, &output);
+    program.stdout(Stdio::piped()).stderr(Stdio::piped());
+    let _said = stand_in.prepare(&mut program).unwrap();
+    let ended = program.spawn().and_then(Child::wait_with_output).unwrap();
     if !ended.status.success() {
         let said = [ended.stdout, ended.stderr].concat();
         return Err(String::from_utf8_lossy(&said).into_owned());
@@ -36,7 +39,7 @@ fn compiled(test: &str) -> Result<Report, String> {
 pub fn compile(
     files: &[&str],
     others: &[(&str, &str)],
-    rows: impl FnOnce(&Inspector, &Compiler) -> Vec<Row>,
+    rows: impl FnOnce(&Asked<'_>, &Compiler) -> Vec<Row>,
 ) {
     let Some(output) = std::env::var_os(OUTPUT) else { return };
     let instance = Arc::new(Instance::new(None, false).unwrap());
@@ -47,16 +50,19 @@ pub fn compile(
     let others = others.iter().map(|(file, text)| ((*file).to_owned(), hash(text)));
     let report = Report {
         device: inspector.device().info().clone(),
+        kernel: KernelKind::default(),
         sources: shipped.chain(others).collect(),
-        rows: rows(&inspector, &Compiler::new().unwrap()),
+        rows: rows(&Asked::new(&inspector).unwrap(), &Compiler::new().unwrap()),
     };
     unitvec_files::write_file(Path::new(&output), report.to_json().as_bytes()).unwrap();
+    // VideoCore's stand-in waits for its queue, and ends the process.
+    std::mem::forget(inspector);
 }
 
 /// Fails where a row that the test of this name makes costs over 2 % more or less than in this file of `docs/data/`.
-pub fn assert_as_recorded(file: &str, test: &str) {
+pub fn assert_as_recorded(file: &str, test: &str, gpu: &str) {
     let before = recorded(file);
-    let Some(after) = comparable(&before, compiled(test)) else { return };
+    let Some(after) = comparable(&before, compiled(test, gpu)) else { return };
     let (dearer, cheaper) = (dearer(&before, &after), dearer(&after, &before));
     assert!(
         dearer.is_empty() && cheaper.is_empty(),
@@ -67,8 +73,8 @@ pub fn assert_as_recorded(file: &str, test: &str) {
 }
 
 /// Writes the report that the test of this name makes to this file of `docs/data/`.
-pub fn renew(file: &str, test: &str) {
-    let (path, report) = (repository().join("docs/data").join(file), compiled(test).unwrap());
+pub fn renew(file: &str, test: &str, gpu: &str) {
+    let (path, report) = (repository().join("docs/data").join(file), compiled(test, gpu).unwrap());
     unitvec_files::write_file(&path, report.to_json().as_bytes()).unwrap();
     println!("{}: written, of {}", path.display(), report.subject());
 }

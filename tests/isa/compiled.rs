@@ -6,23 +6,24 @@ use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use unitvec_catalogue::{AnyCodec, CODECS, Operation};
-use unitvec_choose::costs::{GENERATIONS, Generation, Report, Row, Source};
+use unitvec_choose::costs::{GENERATIONS, KernelKind, Report, Row, Source};
 use unitvec_lab::isa::glsl_file;
 use unitvec_run::conform::widest_of_each_series;
 use unitvec_tests::program::{command, refusal, run, stderr, stdout};
 use unitvec_tests::repository;
 
 /// Names the file of a newer RADV than the system's: `cargo xtask renew costs` fetches one and sets it.
-const NEWER_DRIVER: &str = "UNITVEC_NEWER_RADV_ICD";
+pub const NEWER_DRIVER: &str = "UNITVEC_NEWER_RADV_ICD";
 
-/// The report of the driver, the system's or the one in this file, on the kernels of these codecs for a GPU.
-fn compiled(
-    generation: &Generation,
+/// The report of the driver, the system's or the one in this file, on kernels of these codecs for a GPU.
+pub fn compiled(
+    (gpu, kernel): (&str, KernelKind),
     driver: Option<&Path>,
     codecs: impl IntoIterator<Item = &'static AnyCodec>,
 ) -> Result<Report, String> {
     let ids: Vec<&str> = codecs.into_iter().map(|codec| codec.id).collect();
-    let mut bench = command(["bench", "compiler", "--json", "-", "--gpu", generation.gpu]);
+    let mut bench = command(["bench", "compiler", "--json", "-", "--gpu", gpu]);
+    bench.args(["--kernel", if kernel == KernelKind::One { "one" } else { "four" }]);
     bench.args(["--codec", &ids.join(",")]);
     match driver {
         Some(driver) => bench.arg("--driver").arg(driver),
@@ -56,7 +57,9 @@ pub fn dearer(before: &Report, after: &Report) -> Vec<String> {
             ("instructions", old.instructions, row.instructions),
         ];
         for (figure, old, new) in figures {
-            let (old, new) = (old.unwrap_or(0), new.unwrap_or(u64::MAX));
+            // Not every driver tells both.
+            let Some(old) = old else { continue };
+            let new = new.unwrap_or(u64::MAX);
             if new.saturating_mul(100) > old.saturating_mul(102) {
                 found.push(format!("{name}: {figure} {old} before, {new} after"));
             }
@@ -96,7 +99,11 @@ pub fn comparable(before: &Report, after: Result<Report, String>) -> Option<Repo
 #[test]
 fn no_kernel_is_dearer_than_committed() {
     let before = committed(rdna2());
-    let Some(after) = comparable(&before, compiled(rdna2(), None, widest_of_each_series())) else { return };
+    let Some(after) =
+        comparable(&before, compiled((rdna2().gpu, KernelKind::Four), None, widest_of_each_series()))
+    else {
+        return;
+    };
     let found = dearer(&before, &after);
     let of_same_file: Vec<&str> = CODECS
         .iter()
@@ -171,7 +178,9 @@ fn reports_agree() {
     let [json, csv, markdown, chart] = ["json", "csv", "md", "svg"].map(file);
     let codecs = ["--codec", "oct32", "--codec", "frame32", "--codec", "snorm8x3p"];
     let outputs = ["--json", &json, "--csv", &csv, "--markdown", &markdown, "--chart", &chart];
-    let output = run([&["bench", "compiler", "--gpu", "rdna2"], &codecs[..], &outputs[..]].concat());
+    let output =
+        run([&["bench", "compiler", "--gpu", "rdna2", "--kernel", "four"], &codecs[..], &outputs[..]]
+            .concat());
     if !output.status.success() && stderr(&output).contains("is not installed") {
         return cannot_compare(&stderr(&output));
     }
@@ -210,7 +219,7 @@ fn renew() {
     for generation in &GENERATIONS {
         let (oldest, path) = (GENERATIONS[0].mesa, repository().join(generation.path()));
         let driver = newer.as_deref().filter(|_| generation.mesa != oldest);
-        match compiled(generation, driver, &CODECS) {
+        match compiled((generation.gpu, KernelKind::Four), driver, &CODECS) {
             Ok(report) => {
                 let before = Report::parse(&path, &std::fs::read(&path).unwrap_or_default());
                 let notes =

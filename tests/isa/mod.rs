@@ -7,6 +7,7 @@ mod apart;
 #[cfg(feature = "glsl")]
 mod compiled;
 pub mod dithered;
+pub mod gpus;
 pub mod stages;
 
 use unitvec_catalogue::{AnyCodec, CODECS, Operation};

@@ -73,7 +73,7 @@ const DAWN: Archive = Archive {
 };
 
 /// The compiler of CUDA. The other packages hold its optimiser and headers, in the same folder.
-const NVCC: [Archive; 4] = [
+pub const NVCC: [Archive; 4] = [
     Archive {
         name: "nvidia_cuda_nvcc-13.5.37",
         url: "https://files.pythonhosted.org/packages/0b/7d/21c734e63423dc53fb1b1ebbb6dee84e9ccafbeeaa30e9ae07e6fdcdd15b/nvidia_cuda_nvcc-13.5.37-py3-none-manylinux2014_x86_64.manylinux_2_17_x86_64.whl",
@@ -221,7 +221,7 @@ impl Archive {
     }
 
     /// [`fetch`](Self::fetch), with other archives in the same folder.
-    fn fetch_with(&self, others: &[Self], cache: &Path) -> Result<PathBuf, String> {
+    pub fn fetch_with(&self, others: &[Self], cache: &Path) -> Result<PathBuf, String> {
         if !cfg!(all(target_os = "linux", target_arch = "x86_64")) {
             return Err(format!("{} is fetched for Linux on x86-64 only", self.name));
         }

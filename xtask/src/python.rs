@@ -120,7 +120,7 @@ fn examples(pip: &Path, python: &Path, folder: &Path) -> Result<(), String> {
 }
 
 /// Makes an environment. Returns its pip.
-fn environment(folder: &Path, interpreter: &Path) -> Result<std::path::PathBuf, String> {
+pub fn environment(folder: &Path, interpreter: &Path) -> Result<std::path::PathBuf, String> {
     run_command(Command::new(interpreter).args(["-m", "venv"]).arg(folder))?;
     Ok(folder.join("bin/pip"))
 }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
-use unitvec_catalogue::Operation;
+use unitvec_catalogue::{AnyCodec, Operation, find};
 use unitvec_files::one_line;
 use unitvec_vulkan::DeviceInfo;
 
@@ -27,6 +27,77 @@ pub struct Generation {
     pub mesa: &'static str,
     /// The figures that ship with the program.
     costs: &'static [u8],
+}
+
+/// A maker's line of GPUs, whose compiler can be asked without any of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Line {
+    /// AMD Radeon.
+    Radeon,
+    /// Intel's.
+    Intel,
+    /// NVIDIA's.
+    Nvidia,
+    /// Qualcomm Adreno.
+    Adreno,
+    /// Arm Mali.
+    Mali,
+    /// Broadcom VideoCore.
+    VideoCore,
+}
+
+/// A GPU with counted costs.
+#[derive(Clone, Copy, Debug)]
+pub struct Gpu {
+    /// The GPU's name on the command line, and of the file of its counts.
+    pub name: &'static str,
+    /// The GPU's name in prose.
+    pub title: &'static str,
+    /// Products with such a GPU.
+    pub series: &'static str,
+    /// The line that it belongs to.
+    pub line: Line,
+}
+
+/// Rows of [`GPUS`].
+macro_rules! gpus {
+    ($($line:ident $name:literal $title:literal $series:literal;)*) => {
+        [$(Gpu { name: $name, title: $title, series: $series, line: Line::$line }),*]
+    };
+}
+
+/// The GPUs whose compilers were asked about kernels of one vector, each line's oldest first.
+pub const GPUS: [Gpu; 17] = gpus! {
+    Radeon "polaris10" "GCN 4" "RX 400 and 500";
+    Radeon "vega10" "GCN 5" "RX Vega";
+    Radeon "navi21" "RDNA 2" "RX 6000";
+    Radeon "navi31" "RDNA 3" "RX 7000";
+    Radeon "gfx1201" "RDNA 4" "RX 9000";
+    Intel "skl" "Intel Gen9" "HD Graphics 530";
+    Intel "tgl" "Intel Xe-LP" "Iris Xe";
+    Intel "dg2" "Intel Xe-HPG" "Arc A";
+    Intel "bmg" "Intel Xe2" "Arc B";
+    Nvidia "sm_75" "Turing" "RTX 20";
+    Nvidia "sm_86" "Ampere" "RTX 30";
+    Nvidia "sm_120" "Blackwell" "RTX 50";
+    Adreno "a630" "Adreno 630" "Snapdragon 845";
+    Adreno "a730" "Adreno 730" "Snapdragon 8 Gen 1";
+    Mali "g52" "Mali-G52" "Bifrost";
+    Mali "g610" "Mali-G610" "Valhall";
+    VideoCore "v3d42" "VideoCore VI" "Raspberry Pi 4";
+};
+
+/// The GPU of this name or title: `dg2`, `Adreno 730`, `rdna2`.
+pub fn find_gpu(name: &str) -> Option<&'static Gpu> {
+    let code = code_name(name).replace('_', "");
+    GPUS.iter().find(|gpu| [plain(gpu.name), plain(gpu.title)].contains(&code))
+}
+
+impl Gpu {
+    /// Path in the repository of the counts.
+    pub fn path(&self) -> PathBuf {
+        format!("docs/data/gpus/{}.json", self.name).into()
+    }
 }
 
 /// The default generation of costs.
@@ -93,12 +164,28 @@ impl Generation {
 pub enum Source {
     /// Rust: the SPIR-V that ships, with the device's own division and square root.
     Rust,
-    /// Rust: the SPIR-V as it ships, which puts the device's division and square root right.
+    /// The exact edition, which puts the device's division and square root right: Rust's SPIR-V as it ships, or GLSL in
+    /// kernels of one element.
     Exact,
     /// The GLSL that ships.
     Glsl,
     /// GLSL as people write it from the papers' formulas.
     Textbook,
+    /// GLSL without a codec, which adds the components of what it reads: what [`KernelKind::One`] reads and writes costs.
+    Idle,
+}
+
+/// The kernels that a report is of.
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum, Serialize, Deserialize, schemars::JsonSchema,
+)]
+#[serde(rename_all = "lowercase")]
+pub enum KernelKind {
+    /// The kernels as they ship: four elements an invocation, packed, with a branch around them.
+    #[default]
+    Four,
+    /// One element an invocation, with aligned reads and writes and no branch.
+    One,
 }
 
 impl fmt::Display for Source {
@@ -112,6 +199,9 @@ impl fmt::Display for Source {
 pub struct Report {
     /// Device and driver.
     pub device: DeviceInfo,
+    /// The kernels.
+    #[serde(default)]
+    pub kernel: KernelKind,
     /// The files that the kernels came from, with the first half of their SHA-256.
     pub sources: BTreeMap<String, String>,
     /// One row a codec, operation and source.
@@ -121,7 +211,7 @@ pub struct Report {
 /// A compiler's figures for one kernel. Those that the driver does not give are null.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Row {
-    /// Codec; for a textbook's kernel the codec in the same format.
+    /// Codec; for a textbook's kernel the codec in the same format, for an idle one its [`shape`].
     pub id: String,
     /// The kernel's operation.
     pub operation: Operation,
@@ -130,7 +220,8 @@ pub struct Row {
     /// The textbook, for a textbook's kernel.
     #[serde(default)]
     pub textbook: Option<String>,
-    /// Instructions of the kernel, which takes four vectors an invocation.
+    /// Instructions of the kernel. In kernels of one element, those that compute, where the compiler tells: on AMD's GPUs
+    /// vector instructions, on Adreno all but NOPs, on Mali-G52 arithmetic tuples.
     #[serde(default)]
     pub instructions: Option<u64>,
     /// Vector instructions a vector.
@@ -142,12 +233,42 @@ pub struct Row {
     /// Cycles from the first instruction to the last, by the compiler's estimate.
     #[serde(default)]
     pub latency: Option<u64>,
-    /// Vector registers.
+    /// Vector registers, by the unit that the compiler counts in.
     #[serde(default)]
     pub vector_registers: Option<u64>,
     /// Bytes of machine code.
     #[serde(default)]
     pub code_bytes: Option<u64>,
+    /// Instructions by class, in the compiler's words.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub classes: BTreeMap<String, u64>,
+    /// Registers that are kept in memory.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spills: Option<u64>,
+    /// Invocations that an instruction serves, where the compiler chooses the number.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub width: Option<u64>,
+}
+
+impl Row {
+    /// A row without figures.
+    pub fn new(id: &str, operation: Operation, source: Source) -> Self {
+        Self {
+            id: id.to_owned(),
+            operation,
+            source,
+            textbook: None,
+            instructions: None,
+            vector_instructions: None,
+            inverse_throughput: None,
+            latency: None,
+            vector_registers: None,
+            code_bytes: None,
+            classes: BTreeMap::new(),
+            spills: None,
+            width: None,
+        }
+    }
 }
 
 impl Report {
@@ -166,8 +287,9 @@ impl Report {
         let json = |value: serde_json::Result<String>| value.unwrap_or_default();
         let rows: Vec<String> = self.rows.iter().map(|row| json(serde_json::to_string(row))).collect();
         format!(
-            "{{\"device\": {},\n\"sources\": {},\n\"rows\": [\n{}\n]}}\n",
+            "{{\"device\": {},\n\"kernel\": {},\n\"sources\": {},\n\"rows\": [\n{}\n]}}\n",
             json(serde_json::to_string(&self.device)),
+            json(serde_json::to_string(&self.kernel)),
             json(serde_json::to_string_pretty(&self.sources)),
             rows.join(",\n")
         )
@@ -188,19 +310,40 @@ impl Report {
         self.rows.iter().find(|row| (row.id.as_str(), row.operation, row.source) == (id, operation, source))
     }
 
-    /// The inverse throughput of a kernel as a multiple of that of `oct32`'s from GLSL.
+    /// The cost of a kernel as a multiple of that of `oct32`'s from GLSL: inverse throughput, or instructions
+    /// [beyond idle](Self::beyond_idle).
     pub fn ratio_to_oct32(&self, row: &Row) -> Option<f64> {
-        self.ratio(row, REFERENCE, |row| row.inverse_throughput)
+        self.ratio(row, REFERENCE, |row| match self.kernel {
+            KernelKind::Four => row.inverse_throughput.map(|cycles| cycles as f64),
+            KernelKind::One => self.beyond_idle(row),
+        })
     }
 
     /// The instructions of a kernel as a multiple of those of the codec's kernel from GLSL.
     pub fn ratio_to_glsl(&self, row: &Row) -> Option<f64> {
-        self.ratio(row, &row.id, |row| row.instructions)
+        self.ratio(row, &row.id, |row| match self.kernel {
+            KernelKind::Four => row.instructions.map(|count| count as f64),
+            KernelKind::One => self.beyond_idle(row),
+        })
     }
 
-    fn ratio(&self, row: &Row, id: &str, figure: fn(&Row) -> Option<u64>) -> Option<f64> {
-        Some(figure(row)? as f64 / figure(self.row(id, row.operation, Source::Glsl)?)? as f64)
+    /// The instructions of a kernel of one element beyond those of the idle one that reads and writes the same. Those that
+    /// serve fewer invocations than the idle one's count for more.
+    pub fn beyond_idle(&self, row: &Row) -> Option<f64> {
+        let shape = if row.source == Source::Idle { row.id.clone() } else { shape(find(&row.id).ok()?) };
+        let idle = self.row(&shape, row.operation, Source::Idle)?;
+        let wider = idle.width.unwrap_or(1) as f64 / row.width.unwrap_or(1) as f64;
+        Some(row.instructions? as f64 * wider - idle.instructions? as f64)
     }
+
+    fn ratio(&self, row: &Row, id: &str, figure: impl Fn(&Row) -> Option<f64>) -> Option<f64> {
+        Some(figure(row)? / figure(self.row(id, row.operation, Source::Glsl)?)?)
+    }
+}
+
+/// What a kernel of one element reads and writes besides the other operation's: `vector32`, of a vector and a word of code.
+pub fn shape(codec: &AnyCodec) -> String {
+    format!("{:?}{}", codec.element, if codec.bytes > 4 { 64 } else { 32 }).to_lowercase()
 }
 
 #[cfg(test)]

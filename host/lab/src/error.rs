@@ -1,4 +1,4 @@
-use crate::isa::radv;
+use crate::isa::stand_in;
 use unitvec_catalogue::UnknownCodec;
 use unitvec_manifest::modules;
 use unitvec_run::glsl;
@@ -15,9 +15,9 @@ pub enum Error {
     /// Recorded costs cannot be read.
     #[error(transparent)]
     Choose(#[from] unitvec_choose::Error),
-    /// RADV cannot compile for a GPU.
+    /// A compiler for a GPU cannot be had.
     #[error(transparent)]
-    Radv(#[from] radv::Error),
+    StandIn(#[from] stand_in::Error),
     /// There are no kernels to run on imprecise devices.
     #[error("no kernels to rewrite: give some source of kernels")]
     NoKernels,

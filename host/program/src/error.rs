@@ -129,8 +129,8 @@ impl From<unitvec_lab::Error> for Error {
 }
 
 #[cfg(feature = "lab")]
-impl From<unitvec_lab::isa::radv::Error> for Error {
-    fn from(error: unitvec_lab::isa::radv::Error) -> Self {
+impl From<unitvec_lab::isa::stand_in::Error> for Error {
+    fn from(error: unitvec_lab::isa::stand_in::Error) -> Self {
         Self::Lab(error.into())
     }
 }

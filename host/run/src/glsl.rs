@@ -205,7 +205,7 @@ impl Compiler {
 }
 
 /// The macros that the kernel files are compiled with for a function of this format.
-fn macros(format: &AnyCodec, operation: Operation, function: &str) -> Vec<(String, String)> {
+pub fn macros(format: &AnyCodec, operation: Operation, function: &str) -> Vec<(String, String)> {
     let mut macros = vec![
         (operation.to_string().to_uppercase(), function.to_owned()),
         ("BYTES".into(), format.bytes.to_string()),

@@ -963,10 +963,16 @@ inline float3 unitvec_or_z(float3 v) {
     return unitvec_is_usable(unitvec_l1_norm(v)) ? v : float3(0.0f, 0.0f, 1.0f);
 }
 
-// v, moved up to the equator if below it, or +Z where that has no usable direction.
-inline float3 unitvec_upper_or_z(float3 v) {
-    v = unitvec_or_z(v);
-    return unitvec_or_z(float3(v.xy, unitvec_is_negative(v.z) ? 0.0f : v.z));
+// v, moved up to the equator if below it.
+inline float3 unitvec_upper(float3 v) {
+    return float3(v.xy, max(v.z, 0.0f));
+}
+
+// True where both v and unitvec_upper(v) have a usable direction.
+inline bool unitvec_is_upper_usable(float3 v) {
+    uint norm = as_type<uint>(unitvec_l1_norm(v));
+    uint upper_norm = as_type<uint>(unitvec_l1_norm(unitvec_upper(v)));
+    return norm < as_type<uint>(UNITVEC_MAX_NORM) && upper_norm >= as_type<uint>(UNITVEC_MIN_NORM);
 }
 
 // angles: functions that the codecs of longitude and latitude or height share; the Rust crate has them in the codecs'

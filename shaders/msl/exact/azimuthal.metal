@@ -53,9 +53,9 @@ inline float4 unitvec_stereo_to_disk(float3 v) {
 }
 
 inline float3 unitvec_disk_to_stereo(float2 at, float rim) {
-    float sum = min(2.0f - rim, UNITVEC_HUGE);
-    float2 doubled = 2.0f * at;
-    return float3(unitvec_signed_quotients(doubled, float2(sum)), unitvec_signed_quotient(rim, sum));
+    float half_rim = 0.5f * rim;
+    float half_sum = min(1.0f - half_rim, UNITVEC_HUGE);
+    return float3(unitvec_signed_quotients(at, float2(half_sum)), unitvec_signed_quotient(half_rim, half_sum));
 }
 
 inline float4 unitvec_eqarea_to_disk(float3 v) {
@@ -131,6 +131,12 @@ inline float2 unitvec_azimuthal_parts(float2 e, uint bits) {
     return float2(unitvec_snorm_part(e.x, bits / 2u), v);
 }
 
+// p over the largest integers, rounded as the device divides; v's is a power of two.
+inline float2 unitvec_azimuthal_over_largest(float2 p, uint bits) {
+    float v = min(p.y * unitvec_exp2(2 - int(bits / 2u)), UNITVEC_HUGE);
+    return float2(unitvec_signed_quotient(p.x, unitvec_azimuthal_largest(bits).x), v);
+}
+
 // True for lattice points e with cells of which the disk covers nothing, or next to nothing.
 inline bool unitvec_plain_is_remote(float2 e, uint bits) {
     float2 nearest = min(e - UNITVEC_AZIMUTHAL_REACH, float2(UNITVEC_HUGE));
@@ -141,24 +147,28 @@ inline bool unitvec_plain_is_remote(float2 e, uint bits) {
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
 inline float2 unitvec_plain_settle(float2 e, uint bits) {
-    float2 slope = unitvec_signed_quotients(unitvec_azimuthal_parts(e, bits), unitvec_azimuthal_largest(bits));
-    float2 settled = min(e - (slope.x > slope.y ? float2(1.0f, 0.0f) : float2(0.0f, 1.0f)), float2(UNITVEC_HUGE));
-    return unitvec_plain_is_remote(e, bits) ? settled : e;
+    float2 slope = unitvec_azimuthal_over_largest(unitvec_azimuthal_parts(e, bits), bits);
+    bool along_u = slope.x > slope.y;
+    bool remote = unitvec_plain_is_remote(e, bits);
+    float2 settled =
+        min(e - float2(remote && along_u ? 1.0f : 0.0f, remote && !along_u ? 1.0f : 0.0f), float2(UNITVEC_HUGE));
+    return settled;
 }
 
-// Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell.
-inline float2 unitvec_plain_move_to_rim(float2 p, float2 m, float excess) {
-    float2 slope = unitvec_signed_quotients(p, m);
+// Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell. Others stay.
+inline float2 unitvec_plain_move_to_rim(float2 p, float excess, uint bits) {
+    float2 slope = unitvec_azimuthal_over_largest(p, bits);
     bool along_u = slope.x > slope.y;
     float steep = along_u ? slope.x : slope.y;
     float gentle = along_u ? slope.y : slope.x;
     float alone = unitvec_signed_quotient(excess, steep);
     float left = min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_HUGE), UNITVEC_HUGE);
     float remainder = unitvec_signed_quotient(left, gentle);
-    float first = alone < UNITVEC_AZIMUTHAL_REACH ? alone : UNITVEC_AZIMUTHAL_REACH;
-    float second = alone < UNITVEC_AZIMUTHAL_REACH ? 0.0f : remainder;
+    bool beyond = excess >= 0.0f;
+    float first = beyond ? min(alone, UNITVEC_AZIMUTHAL_REACH) : 0.0f;
+    float second = beyond && alone >= UNITVEC_AZIMUTHAL_REACH ? remainder : 0.0f;
     float2 moved = along_u ? float2(first, second) : float2(second, first);
-    float2 on_rim = min(p - unitvec_signed_quotients(moved, m), float2(UNITVEC_HUGE));
+    float2 on_rim = min(p - unitvec_azimuthal_over_largest(moved, bits), float2(UNITVEC_HUGE));
     return on_rim;
 }
 
@@ -168,12 +178,12 @@ inline float4 unitvec_plain_to_disk(float2 e, uint bits) {
     float rim =
         min(1.0f - min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     float excess = min(-0.5f * rim, UNITVEC_HUGE);
-    float2 moved = unitvec_plain_move_to_rim(p, unitvec_azimuthal_largest(bits), excess);
+    float2 moved = unitvec_plain_move_to_rim(p, excess, bits);
     float2 axis = p.x > p.y ? float2(1.0f, 0.0f) : float2(0.0f, 1.0f);
-    float2 on_rim = unitvec_plain_is_remote(e, bits) ? axis : moved;
-    float rest = min(1.0f - min(min(on_rim.x * on_rim.x, UNITVEC_HUGE) + min(on_rim.y * on_rim.y, UNITVEC_HUGE),
-        UNITVEC_HUGE), UNITVEC_HUGE);
-    return rim > 0.0f ? float4(p, 0.0f, rim) : float4(on_rim, 0.0f, rest < 0.0f ? rest : 0.0f);
+    float2 at = unitvec_plain_is_remote(e, bits) ? axis : moved;
+    float rest =
+        min(1.0f - min(min(at.x * at.x, UNITVEC_HUGE) + min(at.y * at.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    return float4(at, 0.0f, rim > 0.0f ? rest : min(rest, 0.0f));
 }
 
 // Disk point of a point on the square of the disk as it is; points beyond the rim are moved to it.
@@ -291,13 +301,13 @@ inline float3 unitvec_azimuthal_decode(uint code, int projection, int map, uint 
     // v without regard to the highest bit.
     float2 e =
         float2(unitvec_snorm_integer(code, bits / 2u), float(unitvec_signed_field(code, bits / 2u, bits / 2u - 1u)));
-    bool flag = ((code >> (bits - 1u)) & 1u) != 0u;
+    bool flag = (code & (1u << (bits - 1u))) != 0u;
     float2 s = unitvec_azimuthal_parts(abs(e), bits);
     float4 disk = map == UNITVEC_PLAIN ? unitvec_plain_to_disk(abs(e), bits)
         : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_disk(s) : unitvec_ellipse_to_disk(s));
     float3 n = unitvec_azimuthal_from_disk(disk, projection);
     bool back = e.y < 0.0f && !(flag && e.y <= -unitvec_azimuthal_largest(bits).y);
-    return float3(unitvec_azimuthal_signed(e.x < 0.0f, n.x), unitvec_azimuthal_signed(back, n.y),
+    return float3(unitvec_negate_positive(e.x < 0.0f, n.x), unitvec_negate_positive(back, n.y),
         unitvec_azimuthal_signed(flag, n.z));
 }
 

@@ -182,9 +182,9 @@ inline uint unitvec_ico_encode(float3 v, UnitvecIcoLattice lattice) {
     bool x_side = unitvec_is_negative(v.x);
     bool y_side = unitvec_is_negative(v.y);
     bool z_side = unitvec_is_negative(v.z);
-    bool straddled_side = (of_y && y_side) || (of_z && z_side) || (of_x && x_side);
-    bool base_side = (of_y && z_side) || (of_z && x_side) || (of_x && y_side);
-    bool apex_side = (of_y && x_side) || (of_z && y_side) || (of_x && z_side);
+    bool straddled_side = of_z ? z_side : (of_x ? x_side : y_side);
+    bool base_side = of_z ? x_side : (of_x ? y_side : z_side);
+    bool apex_side = of_z ? y_side : (of_x ? z_side : x_side);
 
     // All of these are whole.
     float depth = of_z ? i.y : (of_x ? i.x : i.z);
@@ -219,21 +219,21 @@ inline float3 unitvec_ico_decode(uint code, UnitvecIcoLattice lattice) {
     bool is_octant = code >= unitvec_ico_octants(lattice);
     uint first = is_octant ? unitvec_ico_octants(lattice) : 0u;
     uint row_length = is_octant ? lattice.n - 1u : lattice.n + 2u;
-    float per_length = is_octant ? unitvec_over(2.0f, n - 1.0f) : unitvec_over(2.0f, n + 2.0f);
+    float per_length = is_octant ? unitvec_reciprocal(n - 1.0f) : unitvec_reciprocal(n + 2.0f);
     float rows = is_octant ? n - 2.0f : n;
-    float per_rows = is_octant ? unitvec_reciprocal(n - 2.0f) : unitvec_reciprocal(n);
+    // A little more than 1 / rows, so that a block's first line, which is a multiple, counts to it.
+    float per_rows = is_octant ? unitvec_reciprocal(n - 2.1f) : unitvec_reciprocal(n - 0.1f);
 
-    // index / 2 fits a signed integer, which processors convert faster. The quotient is between 0.04 less and 0.03 more
-    // than the exact one: so `line_number` is it or the next, and then the remainder wraps.
+    // The quotient is between 0.04 less and 0.03 more than the exact one: so `near_line` is it or the next; then the
+    // remainder wraps.
     uint index = code - first;
-    float quotient = min(min(float(int(index >> 1u)) * per_length, UNITVEC_HUGE) + 0.05f, UNITVEC_HUGE);
-    float line_number = floor(quotient);
-    float counted = min(line_number + UNITVEC_2_23, UNITVEC_HUGE);
-    uint rest = index - (as_type<uint>(counted) & 0x7fffffu) * row_length;
+    float counted = min(min(float(index) * per_length, UNITVEC_HUGE) + UNITVEC_2_23, UNITVEC_HUGE);
+    uint near_line = as_type<uint>(counted) & 0x7fffffu;
+    uint rest = index - near_line * row_length;
     bool is_next = rest >= row_length;
-    line_number = is_next ? line_number - 1.0f : line_number;
     float column = float(int(is_next ? rest + row_length : rest));
-    float part = min(min(line_number + 0.5f, UNITVEC_HUGE) * per_rows, UNITVEC_HUGE);
+    float line_number = float(int(near_line - (is_next ? 1u : 0u)));
+    float part = min(line_number * per_rows, UNITVEC_HUGE);
     float block_number = floor(part);
     float row = min(line_number - min(block_number * rows, UNITVEC_HUGE), UNITVEC_HUGE);
 
@@ -251,13 +251,13 @@ inline float3 unitvec_ico_decode(uint code, UnitvecIcoLattice lattice) {
     float3 v = float3(min(min(UNITVEC_ICO_GOLDEN * w.z, UNITVEC_HUGE) + to_x, UNITVEC_HUGE),
         min(w.x + min(y_of_y * w.y, UNITVEC_HUGE), UNITVEC_HUGE),
         min(min(UNITVEC_ICO_GOLDEN * min(w.x + to_z, UNITVEC_HUGE), UNITVEC_HUGE) + w.z, UNITVEC_HUGE));
-    uint block = unitvec_whole_to_u32(block_number);
-    uint odd = block << 31u;
-    uint upper = (block << 30u) & UNITVEC_SIGN_BIT;
+    bool is_odd = (unitvec_whole_to_u32(block_number) & 1u) != 0u;
+    bool is_upper = part >= 2.0f;
     v = unitvec_normalize(v);
-    v = float3(unitvec_negate_if(is_second, v.x), unitvec_flip_sign(v.y, is_octant ? odd : 0u),
-        unitvec_flip_sign(v.z, is_octant ? upper : odd));
-    return unitvec_ico_turn(v, !is_octant && (block & 6u) == 2u, !is_octant && block >= 4u);
+    v = float3(unitvec_negate_if(is_second, v.x), unitvec_negate_if(is_octant && is_odd, v.y),
+        unitvec_negate_if(is_octant ? is_upper : is_odd, v.z));
+    bool of_x = !is_octant && part >= 4.0f;
+    return unitvec_ico_turn(v, !is_octant && is_upper && !of_x, of_x);
 }
 
 inline uint ico16_encode(float3 v) { return unitvec_ico_encode(v, UNITVEC_ICO_LATTICE_16); }

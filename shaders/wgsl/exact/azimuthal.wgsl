@@ -50,9 +50,9 @@ fn unitvec_stereo_to_disk(v: vec3f) -> vec4f {
 }
 
 fn unitvec_disk_to_stereo(at: vec2f, rim: f32) -> vec3f {
-    let sum = min(2.0 - rim, UNITVEC_HUGE);
-    let doubled = 2.0 * at;
-    return vec3f(unitvec_signed_quotients(doubled, vec2f(sum)), unitvec_signed_quotient(rim, sum));
+    let half_rim = 0.5 * rim;
+    let half_sum = min(1.0 - half_rim, UNITVEC_HUGE);
+    return vec3f(unitvec_signed_quotients(at, vec2f(half_sum)), unitvec_signed_quotient(half_rim, half_sum));
 }
 
 fn unitvec_eqarea_to_disk(v: vec3f) -> vec4f {
@@ -128,6 +128,12 @@ fn unitvec_azimuthal_parts(e: vec2f, bits: u32) -> vec2f {
     return vec2f(unitvec_snorm_part(e.x, bits / 2u), v);
 }
 
+// p over the largest integers, rounded as the device divides; v's is a power of two.
+fn unitvec_azimuthal_over_largest(p: vec2f, bits: u32) -> vec2f {
+    let v = min(p.y * unitvec_exp2(2 - i32(bits / 2u)), UNITVEC_HUGE);
+    return vec2f(unitvec_signed_quotient(p.x, unitvec_azimuthal_largest(bits).x), v);
+}
+
 // True for lattice points e with cells of which the disk covers nothing, or next to nothing.
 fn unitvec_plain_is_remote(e: vec2f, bits: u32) -> bool {
     let nearest = min(e - UNITVEC_AZIMUTHAL_REACH, vec2f(UNITVEC_HUGE));
@@ -138,24 +144,28 @@ fn unitvec_plain_is_remote(e: vec2f, bits: u32) -> bool {
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
 fn unitvec_plain_settle(e: vec2f, bits: u32) -> vec2f {
-    let slope = unitvec_signed_quotients(unitvec_azimuthal_parts(e, bits), unitvec_azimuthal_largest(bits));
-    let settled = min(e - select(vec2f(0.0, 1.0), vec2f(1.0, 0.0), slope.x > slope.y), vec2f(UNITVEC_HUGE));
-    return select(e, settled, unitvec_plain_is_remote(e, bits));
+    let slope = unitvec_azimuthal_over_largest(unitvec_azimuthal_parts(e, bits), bits);
+    let along_u = slope.x > slope.y;
+    let remote = unitvec_plain_is_remote(e, bits);
+    let settled =
+        min(e - vec2f(select(0.0, 1.0, remote && along_u), select(0.0, 1.0, remote && !along_u)), vec2f(UNITVEC_HUGE));
+    return settled;
 }
 
-// Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell.
-fn unitvec_plain_move_to_rim(p: vec2f, m: vec2f, excess: f32) -> vec2f {
-    let slope = unitvec_signed_quotients(p, m);
+// Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell. Others stay.
+fn unitvec_plain_move_to_rim(p: vec2f, excess: f32, bits: u32) -> vec2f {
+    let slope = unitvec_azimuthal_over_largest(p, bits);
     let along_u = slope.x > slope.y;
     let steep = select(slope.y, slope.x, along_u);
     let gentle = select(slope.x, slope.y, along_u);
     let alone = unitvec_signed_quotient(excess, steep);
     let left = min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_HUGE), UNITVEC_HUGE);
     let remainder = unitvec_signed_quotient(left, gentle);
-    let first = select(UNITVEC_AZIMUTHAL_REACH, alone, alone < UNITVEC_AZIMUTHAL_REACH);
-    let second = select(remainder, 0.0, alone < UNITVEC_AZIMUTHAL_REACH);
+    let beyond = excess >= 0.0;
+    let first = select(0.0, min(alone, UNITVEC_AZIMUTHAL_REACH), beyond);
+    let second = select(0.0, remainder, beyond && alone >= UNITVEC_AZIMUTHAL_REACH);
     let moved = select(vec2f(second, first), vec2f(first, second), along_u);
-    let on_rim = min(p - unitvec_signed_quotients(moved, m), vec2f(UNITVEC_HUGE));
+    let on_rim = min(p - unitvec_azimuthal_over_largest(moved, bits), vec2f(UNITVEC_HUGE));
     return on_rim;
 }
 
@@ -164,12 +174,12 @@ fn unitvec_plain_to_disk(e: vec2f, bits: u32) -> vec4f {
     let p = unitvec_azimuthal_parts(e, bits);
     let rim = min(1.0 - min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     let excess = min(-0.5 * rim, UNITVEC_HUGE);
-    let moved = unitvec_plain_move_to_rim(p, unitvec_azimuthal_largest(bits), excess);
+    let moved = unitvec_plain_move_to_rim(p, excess, bits);
     let axis = select(vec2f(0.0, 1.0), vec2f(1.0, 0.0), p.x > p.y);
-    let on_rim = select(moved, axis, unitvec_plain_is_remote(e, bits));
-    let rest = min(1.0 - min(min(on_rim.x * on_rim.x, UNITVEC_HUGE) + min(on_rim.y * on_rim.y, UNITVEC_HUGE),
-        UNITVEC_HUGE), UNITVEC_HUGE);
-    return select(vec4f(on_rim, 0.0, select(0.0, rest, rest < 0.0)), vec4f(p, 0.0, rim), rim > 0.0);
+    let at = select(moved, axis, unitvec_plain_is_remote(e, bits));
+    let rest =
+        min(1.0 - min(min(at.x * at.x, UNITVEC_HUGE) + min(at.y * at.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    return vec4f(at, 0.0, select(min(rest, 0.0), rest, rim > 0.0));
 }
 
 // Disk point of a point on the square of the disk as it is; points beyond the rim are moved to it.
@@ -287,13 +297,13 @@ fn unitvec_azimuthal_encode(v_in: vec3f, projection: i32, map: i32, bits: u32) -
 fn unitvec_azimuthal_decode(code: u32, projection: i32, map: i32, bits: u32) -> vec3f {
     // v without regard to the highest bit.
     let e = vec2f(unitvec_snorm_integer(code, bits / 2u), f32(unitvec_signed_field(code, bits / 2u, bits / 2u - 1u)));
-    let flag = ((code >> (bits - 1u)) & 1u) != 0u;
+    let flag = (code & (1u << (bits - 1u))) != 0u;
     let s = unitvec_azimuthal_parts(abs(e), bits);
     let disk = select(select(unitvec_ellipse_to_disk(s), unitvec_concentric_to_disk(s), map == UNITVEC_CONCENTRIC),
         unitvec_plain_to_disk(abs(e), bits), map == UNITVEC_PLAIN);
     let n = unitvec_azimuthal_from_disk(disk, projection);
     let back = e.y < 0.0 && !(flag && e.y <= -unitvec_azimuthal_largest(bits).y);
-    return vec3f(unitvec_azimuthal_signed(e.x < 0.0, n.x), unitvec_azimuthal_signed(back, n.y),
+    return vec3f(unitvec_negate_positive(e.x < 0.0, n.x), unitvec_negate_positive(back, n.y),
         unitvec_azimuthal_signed(flag, n.z));
 }
 

@@ -238,15 +238,10 @@ fn unitvec_best_fit_cell_lengths(cell: vec2u) -> vec4f {
     return lengths;
 }
 
-// A length from 64 to 127, whatever the word: its bits 17 to 22, as the first of the mantissa, with the exponent of 64.
-fn unitvec_best_fit_length_of(word: u32) -> f32 {
-    return bitcast<f32>((word & 0x007e0000u) | 0x42800000u);
-}
-
-// The lengths in a word of the table, in the low six bits of each byte.
+// The lengths in a word of the table, in the low six bits of each byte: 64 to 127, whatever the word.
 fn unitvec_best_fit_lengths_in(word: u32) -> vec4f {
-    return vec4f(unitvec_best_fit_length_of(word << 17u), unitvec_best_fit_length_of(word << 9u),
-        unitvec_best_fit_length_of(word << 1u), unitvec_best_fit_length_of(word >> 7u));
+    let bytes = (word & 0x3f3f3f3fu) | 0x40404040u;
+    return vec4f(f32(bytes & 255u), f32((bytes >> 8u) & 255u), f32((bytes >> 16u) & 255u), f32(bytes >> 24u));
 }
 
 // Number of a cell's word: four columns side by side have their rows, of which they need no more than there are

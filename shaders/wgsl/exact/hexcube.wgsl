@@ -133,8 +133,12 @@ fn unitvec_hexcube_decode(code_in: u32, lattice: UnitvecHexcubeLattice) -> vec3f
     var code = code_in;
     let points = unitvec_hexcube_face(lattice);
     code = min(code, 6u * points - 1u);
-    let face = code / points;
-    let doubled = 2u * (code - face * points);
+    let is_x = code < 2u * points;
+    let is_z = code >= 4u * points;
+    // Comparisons, which take less than another division.
+    let on_axis = code - select(select(2u * points, 0u, is_x), 4u * points, is_z);
+    let is_back = on_axis >= points;
+    let doubled = 2u * (on_axis - select(0u, points, is_back));
     let line_length = u32(unitvec_hexcube_line(lattice));
     let line_number = doubled / line_length;
     let column = f32(i32(doubled - line_number * line_length) - lattice.columns);
@@ -146,9 +150,7 @@ fn unitvec_hexcube_decode(code_in: u32, lattice: UnitvecHexcubeLattice) -> vec3f
     let scaled = vec3f(min(min(UNITVEC_HEXCUBE_WEIGHT * column, UNITVEC_HUGE) * along, UNITVEC_HUGE),
         min(min(UNITVEC_HEXCUBE_WEIGHT * row, UNITVEC_HUGE) * across, UNITVEC_HUGE), min(across * along, UNITVEC_HUGE));
     let p = unitvec_normalize(scaled);
-    let front = unitvec_negate_if((face & 1u) != 0u, p.z);
-    let is_x = face < 2u;
-    let is_z = face >= 4u;
+    let front = unitvec_negate_if(is_back, p.z);
     let y_of_yz = select(front, p.y, is_z);
     return vec3f(select(p.x, front, is_x), select(y_of_yz, p.x, is_x), select(p.y, front, is_z));
 }

@@ -21,29 +21,35 @@ const UNITVEC_PARALLEL_INSET: f32 = 0.4375;
 // 1 - 2^-21: the extent of a sextant, which leaves room for the rounding of the largest component.
 const UNITVEC_PARALLEL_SEXTANT_LIMIT: f32 = 0.9999995;
 
-// The plane that the components are stored in.
+// The plane that the components are stored in. half_unit is half an extent of 1. in_steps: extents are those of points in
+// steps; only for two components of 8 bits, where they tell the same points outside.
 struct UnitvecParallelPlane {
     bits: vec2u,
     m: vec2f,
     steps: vec2f,
     limit: f32,
+    half_unit: f32,
     inset: f32,
     sextant: bool,
+    in_steps: bool,
 }
 
 fn unitvec_parallel_disk(x_bits: u32, y_bits: u32) -> UnitvecParallelPlane {
     let m = vec2f(unitvec_snorm_max(x_bits), unitvec_snorm_max(y_bits));
     let fine = x_bits > 22u;
-    let plane = UnitvecParallelPlane(vec2u(x_bits, y_bits), m, m, select(1.0, 1.0000004, fine),
-        select(UNITVEC_PARALLEL_INSET, 0.0, fine), false);
+    let in_steps = x_bits == 8u && y_bits == 8u;
+    let square = min(m.x * m.x, UNITVEC_HUGE);
+    let plane = UnitvecParallelPlane(vec2u(x_bits, y_bits), m, m,
+        select(select(1.0, 1.0000004, fine), square, in_steps), select(0.5, unitvec_over(0.5, square), in_steps),
+        select(UNITVEC_PARALLEL_INSET, 0.0, fine), false, in_steps);
     return plane;
 }
 
 fn unitvec_parallel_sextant(u_bits: u32, v_bits: u32) -> UnitvecParallelPlane {
     let m = vec2f(unitvec_snorm_max(u_bits), unitvec_snorm_max(v_bits));
     let steps = min(m * 1.4142135, vec2f(UNITVEC_HUGE));
-    let plane = UnitvecParallelPlane(vec2u(u_bits, v_bits), m, steps, UNITVEC_PARALLEL_SEXTANT_LIMIT,
-        select(UNITVEC_PARALLEL_INSET, 0.0, u_bits > 22u), true);
+    let plane = UnitvecParallelPlane(vec2u(u_bits, v_bits), m, steps, UNITVEC_PARALLEL_SEXTANT_LIMIT, 0.5,
+        select(UNITVEC_PARALLEL_INSET, 0.0, u_bits > 22u), true, false);
     return plane;
 }
 
@@ -55,55 +61,58 @@ fn unitvec_parallel_parts(plane: UnitvecParallelPlane, e: vec2f) -> vec2f {
     return select(on_disk, in_sextant, plane.sextant);
 }
 
-// 1 on the border.
-fn unitvec_parallel_extent(plane: UnitvecParallelPlane, p: vec2f) -> f32 {
+// The limit on the border.
+fn unitvec_parallel_extent(plane: UnitvecParallelPlane, e: vec2f) -> f32 {
+    let p = select(unitvec_parallel_parts(plane, e), e, plane.in_steps);
     let larger = max(p.x, p.y);
     let disk = min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE);
     let sextant = min(disk + min(larger * larger, UNITVEC_HUGE), UNITVEC_HUGE);
     return select(disk, sextant, plane.sextant);
 }
 
-fn unitvec_parallel_is_outside(plane: UnitvecParallelPlane, e: vec2f) -> bool {
-    return unitvec_parallel_extent(plane, unitvec_parallel_parts(plane, e)) > plane.limit;
-}
-
-// e with `by` steps less in the component along which the border is reached sooner.
-fn unitvec_parallel_inwards(plane: UnitvecParallelPlane, e: vec2f, by: f32) -> vec2f {
+// Whether the border is reached sooner along the first component.
+fn unitvec_parallel_is_along_x(plane: UnitvecParallelPlane, e: vec2f) -> bool {
     let p = unitvec_parallel_parts(plane, e);
     let x = min(p.x * plane.steps.y, UNITVEC_HUGE);
     let y = min(p.y * plane.steps.x, UNITVEC_HUGE);
     let weighed_x = min(select(0.5, 2.0, p.x >= p.y) * x, UNITVEC_HUGE);
-    let along_x = select(x, weighed_x, plane.sextant) >= y;
-    let less = min(e - by, vec2f(UNITVEC_HUGE));
-    return select(vec2f(e.x, less.y), vec2f(less.x, e.y), along_x);
+    let along_x = select(x >= y, weighed_x >= y, plane.sextant);
+    return select(along_x, e.x >= e.y, plane.bits.x == plane.bits.y);
+}
+
+// e with `by` steps less in the component along which the border is reached sooner, if it moves.
+fn unitvec_parallel_inwards(e: vec2f, moves: bool, along_x: bool, by: f32) -> vec2f {
+    let inner =
+        min(e - vec2f(select(0.0, by, moves && along_x), select(0.0, by, moves && !along_x)), vec2f(UNITVEC_HUGE));
+    return inner;
 }
 
 // The factor that takes a point of this extent, from 1 on, inside, by 2^-21: the tangent of 1 / sqrt(extent) at 1,
 // which nowhere is above it.
-fn unitvec_parallel_onto_border(extent: f32) -> f32 {
-    let factor = min(1.4999995 - 0.5 * extent, UNITVEC_HUGE);
+fn unitvec_parallel_onto_border(extent: f32, half_unit: f32) -> f32 {
+    let factor = min(1.4999995 - min(half_unit * extent, UNITVEC_HUGE), UNITVEC_HUGE);
     return factor;
 }
 
 // Whole numbers of a point of the positive quadrant.
 fn unitvec_parallel_round(plane: UnitvecParallelPlane, p: vec2f) -> vec2f {
     let position = min(min(p * plane.steps, vec2f(UNITVEC_HUGE)) + 0.5, vec2f(UNITVEC_HUGE));
-    let e = min(floor(position), plane.m);
-    // Variables, since `&&` and `?:` branch around calls.
-    let outside = unitvec_parallel_is_outside(plane, e);
-    let inset_outside = unitvec_parallel_is_outside(plane, unitvec_parallel_inwards(plane, e, plane.inset));
-    let inner = unitvec_parallel_inwards(plane, e, 1.0);
-    return select(e, inner, outside && inset_outside);
+    // Rounding exceeds m only where the steps are as fine as that of the length.
+    let e = select(min(floor(position), plane.m), floor(position), plane.inset > 0.0);
+    let along_x = unitvec_parallel_is_along_x(plane, e);
+    // Points outside when moved are outside as they are.
+    let outside = unitvec_parallel_extent(plane, unitvec_parallel_inwards(e, true, along_x, plane.inset)) > plane.limit;
+    return unitvec_parallel_inwards(e, outside, along_x, 1.0);
 }
 
 // Point that whole numbers, not negative, stand for: not outside.
 fn unitvec_parallel_point(plane: UnitvecParallelPlane, e: vec2f) -> vec2f {
-    let inner = unitvec_parallel_inwards(plane, e, plane.inset);
-    let inset = select(e, inner, unitvec_parallel_is_outside(plane, e));
-    let extent = unitvec_parallel_extent(plane, unitvec_parallel_parts(plane, e));
-    let projected = min(e * unitvec_parallel_onto_border(extent), vec2f(UNITVEC_HUGE));
-    let chosen = select(inset, floor(projected), unitvec_parallel_is_outside(plane, inset));
-    return unitvec_parallel_parts(plane, chosen);
+    let extent = unitvec_parallel_extent(plane, e);
+    let along_x = unitvec_parallel_is_along_x(plane, e);
+    let inset = unitvec_parallel_inwards(e, extent > plane.limit, along_x, plane.inset);
+    let projected = min(e * unitvec_parallel_onto_border(extent, plane.half_unit), vec2f(UNITVEC_HUGE));
+    let outside = unitvec_parallel_extent(plane, inset) > plane.limit;
+    return unitvec_parallel_parts(plane, select(inset, floor(projected), outside));
 }
 
 // v, which has a direction, at unit length; only scaled by a power of two, or not at all, where that is of unit length
@@ -124,15 +133,9 @@ fn unitvec_parallel_third(p: vec2f) -> f32 {
     return unitvec_root(max(square, 0.0));
 }
 
-// Two's complement, in `bits` bits, of a whole number with a sign.
-fn unitvec_parallel_field(negative: bool, whole: f32, bits: u32) -> u32 {
-    let magnitude = unitvec_whole_to_u32(whole);
-    return select(magnitude, 0u - magnitude, negative) & unitvec_mask(bits);
-}
-
 fn unitvec_parallel_pack(p: vec3f, e: vec2f, top: u32, x_bits: u32, y_bits: u32) -> vec2u {
-    let x = unitvec_parallel_field(unitvec_is_negative(p.x), e.x, x_bits);
-    let y = unitvec_parallel_field(unitvec_is_negative(p.y), e.y, y_bits);
+    let x = unitvec_signed_code(unitvec_negate_if(unitvec_is_negative(p.x), e.x), x_bits);
+    let y = unitvec_signed_code(unitvec_negate_if(unitvec_is_negative(p.y), e.y), y_bits);
     let low = x | (y << x_bits);
     let components = x_bits + y_bits;
     if components < 32u {
@@ -157,22 +160,23 @@ fn unitvec_parallel_top(code: vec2u, components: u32) -> u32 {
     return code.y >> (components - 32u);
 }
 
-fn unitvec_parallel_from_plane(plane: UnitvecParallelPlane, e: vec2f, negative: bool) -> vec3f {
-    let p = unitvec_parallel_point(plane, abs(e));
-    return vec3f(unitvec_negate_positive(unitvec_is_negative(e.x), p.x),
-        unitvec_negate_positive(unitvec_is_negative(e.y), p.y), unitvec_negate_positive(negative,
-        unitvec_parallel_third(p)));
+// A part with the sign of its whole number e. With 23 bits and more, whose points have no inset, a number other than 0 may
+// have become 0, which stays +0.
+fn unitvec_parallel_signed(plane: UnitvecParallelPlane, part: f32, e: f32) -> f32 {
+    return select(unitvec_negate_positive(e < 0.0, part), unitvec_with_sign(part, e), plane.inset > 0.0);
 }
 
-// v at unit length, moved up to the equator if below it.
-fn unitvec_parallel_upper_unit(v: vec3f) -> vec3f {
-    return unitvec_parallel_unit(unitvec_upper_or_z(v));
+fn unitvec_parallel_from_plane(plane: UnitvecParallelPlane, e: vec2f, negative: bool) -> vec3f {
+    let p = unitvec_parallel_point(plane, abs(e));
+    return vec3f(unitvec_parallel_signed(plane, p.x, e.x), unitvec_parallel_signed(plane, p.y, e.y),
+        unitvec_negate_positive(negative, unitvec_parallel_third(p)));
 }
 
 fn unitvec_xyonly_encode(v: vec3f, bits: u32) -> u32 {
-    let n = unitvec_parallel_upper_unit(v);
+    let n = unitvec_parallel_unit(unitvec_upper(v));
     let e = unitvec_parallel_round(unitvec_parallel_disk(bits, bits), abs(n.xy));
-    return unitvec_parallel_pack(n, e, 0u, bits, bits).x;
+    let code = unitvec_parallel_pack(n, e, 0u, bits, bits).x;
+    return select(0u, code, unitvec_is_upper_usable(v));
 }
 
 fn unitvec_xyonly_decode(code: u32, bits: u32) -> vec3f {
@@ -236,7 +240,7 @@ fn unitvec_xyonly32f_half_below(x: f32) -> f32 {
 }
 
 fn xyonly32f_encode(v: vec3f) -> u32 {
-    let n = unitvec_parallel_upper_unit(v);
+    let n = unitvec_parallel_unit(unitvec_upper(v));
     let a = unitvec_half_encode_magnitude(n.x);
     let b = unitvec_half_encode_magnitude(n.y);
     let off_disk = unitvec_xyonly32f_is_off_disk(unitvec_xyonly32f_halves(a, b));
@@ -246,7 +250,7 @@ fn xyonly32f_encode(v: vec3f) -> u32 {
     let y = b - select(0u, 1u, unwritten && a < b);
     let x_sign = select(0u, 0x8000u, unitvec_is_negative(n.x) && x != 0u);
     let y_sign = select(0u, 0x8000u, unitvec_is_negative(n.y) && y != 0u);
-    return (x | x_sign) | ((y | y_sign) << 16u);
+    return select(0u, (x | x_sign) | ((y | y_sign) << 16u), unitvec_is_upper_usable(v));
 }
 
 fn xyonly32f_decode(code: u32) -> vec3f {
@@ -257,7 +261,7 @@ fn xyonly32f_decode(code: u32) -> vec3f {
     let inset = select(p, inner, unitvec_xyonly32f_is_off_disk(p));
     let unit = min(p, vec2f(1.0));
     let square = min(min(unit.x * unit.x, UNITVEC_HUGE) + min(unit.y * unit.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    let projected = min(unit * unitvec_parallel_onto_border(square), vec2f(UNITVEC_HUGE));
+    let projected = min(unit * unitvec_parallel_onto_border(square, 0.5), vec2f(UNITVEC_HUGE));
     let below = vec2f(unitvec_xyonly32f_half_below(projected.x), unitvec_xyonly32f_half_below(projected.y));
     let q = select(inset, below, unitvec_xyonly32f_is_off_disk(inset));
     return vec3f(unitvec_negate_positive((code & 0x8000u) != 0u, q.x),

@@ -1,11 +1,12 @@
 //! The shaders compiled again, by the RADV that is installed here.
 
-use super::{ATTRIBUTE, FILE, WAYS, WRITTEN, Way};
+use super::{ATTRIBUTE, GPUS, WAYS, WRITTEN, Way, file};
 use crate::isa::apart;
 use unitvec_catalogue::Operation;
 use unitvec_choose::costs::{Row, Source};
+use unitvec_lab::isa::{Asked, counted};
 use unitvec_run::glsl::{Compiler, ENTRY_POINT, Shader, Stage};
-use unitvec_vulkan::{ImageFormat, Inspector, PipelineOptions};
+use unitvec_vulkan::{ImageFormat, PipelineOptions};
 
 const COMPILE: &str = "isa::stages::compiled::compile";
 
@@ -14,7 +15,11 @@ const HEAD: &str = r#"#version 450
 #extension GL_EXT_samplerless_texture_functions : require
 #include "unitvec/oct.glsl"
 #include "unitvec/formats.glsl"
+#include "unitvec/frame.glsl"
 #include "textbook/oct.glsl"
+#include "textbook/frame.glsl"
+vec3 frame32_sum(uint code) { vec3 n; vec4 t; frame32_decode(code, n, t); return n + t.xyz * t.w; }
+vec3 textbook_frame32_sum(uint code) { vec3 n; vec4 t; textbook_frame32_decode(code, n, t); return n + t.xyz * t.w; }
 "#;
 
 const VERTEX: &str = "layout(location = 0) in vec3 p;
@@ -33,13 +38,14 @@ void main() { READ x = texelFetch(t, ivec2(gl_FragCoord.xy), 0); c = EXPRESSION;
 #[test]
 #[ignore = "other tests run it with the environment of a driver"]
 fn compile() {
-    let files = ["unitvec/arith.glsl", "unitvec/oct.glsl", "unitvec/formats.glsl", "textbook/oct.glsl"];
-    apart::compile(&files, &[], |inspector, compiler| {
+    let files = ["arith", "oct", "formats", "frame"].map(|name| format!("unitvec/{name}.glsl"));
+    let files = files.iter().map(String::as_str).chain(["textbook/oct.glsl", "textbook/frame.glsl"]);
+    apart::compile(&files.collect::<Vec<_>>(), &[], |asked, compiler| {
         let mut rows: Vec<Row> = Vec::new();
         for way in &WAYS {
             for expression in [way.idle(), way.2].into_iter().chain(way.3) {
                 if !rows.iter().any(|row| row.id == way.row_id(expression)) {
-                    rows.push(row(inspector, compiler, way, expression));
+                    rows.push(row(asked, compiler, way, expression));
                 }
             }
         }
@@ -47,7 +53,7 @@ fn compile() {
     });
 }
 
-fn row(inspector: &Inspector, compiler: &Compiler, way: &Way, expression: &str) -> Row {
+fn row(asked: &Asked<'_>, compiler: &Compiler, way: &Way, expression: &str) -> Row {
     let Way(place, format, ..) = way;
     let (is_vertex, is_written) = (*place == ATTRIBUTE, *place == WRITTEN);
     let [written, read, texture] = format.types;
@@ -65,24 +71,21 @@ fn row(inspector: &Inspector, compiler: &Compiler, way: &Way, expression: &str) 
     let options =
         PipelineOptions { vertex: shader(&vertex), fragment: shader(&pixel), attributes, points: false };
     let target = if is_written { format.raw } else { ImageFormat::R32G32B32A32_SFLOAT };
-    let [of_vertex, of_pixel] = inspector.stages(&[target], &options).unwrap();
+    let [of_vertex, of_pixel] = asked.stages(&[target], &options).unwrap();
     let statistics = if is_vertex { of_vertex } else { of_pixel };
-    let (id, device) = (way.row_id(expression), &inspector.device().info().name);
     let operation = if is_written { Operation::Encode } else { Operation::Decode };
-    let row = unitvec_lab::isa::row(&id, operation, Source::Glsl, None, &statistics, device);
-    // Its formula is that of kernels of four vectors.
-    Row { vector_instructions: None, ..row }
+    counted(Row::new(&way.row_id(expression), operation, Source::Glsl), &statistics)
 }
 
-/// Each expression is compiled again, and its cost matches the record.
+/// Each expression is compiled again for the GPU whose driver most have, and its cost matches the record.
 #[test]
 fn stages_cost_what_is_recorded() {
-    apart::assert_as_recorded(FILE, COMPILE);
+    apart::assert_as_recorded(&file(GPUS[0]), COMPILE, GPUS[0]);
 }
 
 /// Compiles all again.
 #[test]
 #[ignore = "`cargo xtask renew costs` runs it"]
 fn renew() {
-    apart::renew(FILE, COMPILE);
+    GPUS.iter().for_each(|gpu| apart::renew(&file(gpu), COMPILE, gpu));
 }

@@ -1,4 +1,4 @@
-//! Functions in pixel and vertex shaders, by RADV's compiler for RDNA 2: `docs/data/stage_costs.json`, which docs/costs.md
+//! Functions in pixel and vertex shaders, by the compilers of Mesa's drivers: `docs/data/stages/*.json`, which docs/costs.md
 //! shows. Hardware converts between the formats and the numbers of the shader.
 
 #[cfg(feature = "glsl")]
@@ -8,7 +8,12 @@ use super::{RENEW, recorded};
 use unitvec_choose::costs::{Report, Row};
 use unitvec_vulkan::ImageFormat;
 
-const FILE: &str = "stage_costs.json";
+/// A GPU of each line that Mesa has a driver for.
+pub const GPUS: [&str; 5] = ["navi21", "dg2", "a730", "g610", "v3d42"];
+
+fn file(gpu: &str) -> String {
+    format!("stages/{gpu}.json")
+}
 
 /// Places of expressions: of the normal `n` that a pixel shader writes, of a texel `x`, of an attribute `x`.
 const WRITTEN: &str = "pixel shader, writes";
@@ -38,7 +43,7 @@ const UNORM: Format =
 /// A normal's way through a shader: the place, and expressions of unitvec and of the textbook that do the same.
 pub struct Way(pub &'static str, pub Format, pub &'static str, pub Option<&'static str>);
 
-pub const WAYS: [Way; 13] = [
+pub const WAYS: [Way; 14] = [
     Way(WRITTEN, SNORM, "float32x3_to_oct(n)", Some("textbook_oct(n)")),
     Way(WRITTEN, SNORM, "float32x3_to_octn_precise(n, 32)", Some("textbook_oct_precise(n, 32767.0)")),
     Way(WRITTEN, UINT, "oct32_encode(n)", Some("textbook_oct32_encode(n)")),
@@ -51,6 +56,7 @@ pub const WAYS: [Way; 13] = [
     Way(ATTRIBUTE, SNORM, "oct_to_float32x3(x.xy)", Some("textbook_from_oct(x.xy)")),
     Way(ATTRIBUTE, UINT, "oct32_decode(x.x)", Some("textbook_oct32_decode(x.x)")),
     Way(ATTRIBUTE, UINT, "oct24_decode(x.x)", Some("textbook_oct24_decode(x.x)")),
+    Way(ATTRIBUTE, UINT, "frame32_sum(x.x)", Some("textbook_frame32_sum(x.x)")),
     Way(ATTRIBUTE, UNORM, "oct24_decode(unorm8x3_to_code(x.xyz))", None),
 ];
 
@@ -75,15 +81,15 @@ impl Way {
     }
 }
 
-/// The committed figures.
-pub fn committed() -> Report {
-    recorded(FILE)
+/// The committed figures of a GPU.
+pub fn committed(gpu: &str) -> Report {
+    recorded(&file(gpu))
 }
 
 /// The way that most take costs at most two instructions more than the survey's listing, which takes no NaN.
 #[test]
 fn an_snorm_target_costs_what_the_listing_costs() {
-    let (report, way) = (committed(), &WAYS[0]);
+    let (report, way) = (committed(GPUS[0]), &WAYS[0]);
     let cost = |expression| way.beyond_idle(&report, expression, |row| row.instructions);
     let (ours, listing) = (cost(way.2), cost(way.3.unwrap()));
     assert!((1..=listing + 2).contains(&ours), "{ours} instructions, the listing has {listing}");

@@ -1,5 +1,6 @@
 //! `cargo xtask conform --drivers`: `unitvec conform` on every Vulkan driver of this machine, each by itself.
 
+pub mod compilers;
 pub mod debian;
 
 use crate::{cache, take, write};

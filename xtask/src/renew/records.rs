@@ -9,7 +9,7 @@ use crate::{
     built, cache, cargo, conform, drivers, integration, interop, languages, npm, processors, program, python,
     repository, run, shaders, spirv, web, windows, write,
 };
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::process::{Command, Stdio};
 
@@ -220,26 +220,29 @@ pub static RECORDS: &[Record] = &[
     Record {
         name: "costs",
         outputs: &[Bytes(
-            "host/choose/data/costs_gfx* host/choose/data/costs_navi* host/choose/data/costs_polaris* host/choose/data/costs_vega* catalogue/data/costs.csv docs/data/dither_costs.json docs/data/stage_costs.json",
+            "host/choose/data/costs_gfx* host/choose/data/costs_navi* host/choose/data/costs_polaris* host/choose/data/costs_vega* host/choose/data/counted.csv catalogue/data/costs.csv docs/data/dither_costs.json docs/data/stages/* docs/data/gpus/*",
         )],
-        from: "the modules and the GLSL, by the compilers of Mesa's RADV",
+        from: "the modules and the GLSL, by the compilers of Mesa's drivers and of CUDA",
         inputs: &[
             KERNELS,
             GLSL,
-            &[Code("glsl/textbook/* tests/isa/dithered/kernel.comp tests/isa/stages/*.rs")],
+            &[Code(
+                "glsl/textbook/* tests/isa/dithered/kernel.comp tests/isa/stages/*.rs host/lab/src/isa/one* host/lab/src/isa/kernel.cuh host/lab/src/isa/cuda.rs xtask/src/drivers/compilers.rs",
+            )],
         ],
-        minutes: 4,
-        needs: "Debian 12 on amd64, for RADV of Mesa 22.3 and 25.0",
+        minutes: 12,
+        needs: "Debian 12 on amd64, for RADV of Mesa 22.3; it builds Mesa 25.0 and fetches CUDA's compiler",
         renew: || {
             // Any RADV that knows the newest generations serves; without one named, that of Debian's backports is fetched.
             let newer = match std::env::var_os(drivers::NEWER_RADV) {
                 Some(file) => file,
                 None => drivers::newer_radv(&cache("drivers")?)?.into(),
             };
-            let tests =
-                ["isa::compiled::renew", "isa::dithered::compiled::renew", "isa::stages::compiled::renew"];
-            by_tests(&tests, (drivers::NEWER_RADV, newer))?;
-            bless(&["docs::costs::the_catalogue_is_current"])
+            let tests = ["compiled", "gpus::compiled", "dithered::compiled", "stages::compiled"];
+            let tests = tests.map(|name| format!("isa::{name}::renew"));
+            let compilers = drivers::compilers::build()?.into_os_string();
+            by_tests(&tests, &[(drivers::NEWER_RADV, newer), ("UNITVEC_COMPILERS", compilers)])?;
+            bless(&["isa::gpus::the_shares_are_current", "docs::costs::the_catalogue_is_current"])
         },
         ..FILE
     },
@@ -487,14 +490,14 @@ fn locked(names: &[&str]) -> String {
 
 /// Makes tests of the integration program write the files that they compare, or measure the figures that others compare.
 fn bless(tests: &[&str]) -> Result<(), String> {
-    by_tests(tests, ("BLESS", "1".into()))
+    by_tests(tests, &[("BLESS", "1".into())])
 }
 
-fn by_tests(tests: &[&str], (name, value): (&str, OsString)) -> Result<(), String> {
+fn by_tests(tests: &[impl AsRef<OsStr>], variables: &[(&str, OsString)]) -> Result<(), String> {
     built(&mut integration(&["--no-run"]))?;
     // Tests that measure are ignored otherwise.
     let mut command = integration(&["--", "--exact", "--nocapture", "--include-ignored"]);
-    run(command.args(tests).env(name, value))
+    run(command.args(tests).envs(variables.iter().map(|(name, value)| (name, value))))
 }
 
 /// Runs `unitvec` in the repository's root.

@@ -1,19 +1,68 @@
 //! The output of a GPU driver's compiler for the kernels: exact, the same on every machine, and available for GPUs that
 //! are not there.
 
+mod cuda;
+pub mod nvidia;
+mod one;
 pub mod pareto;
-pub mod radv;
+pub mod stand_in;
 
 use crate::Result;
 use crate::textbook::{self, TEXTBOOK, Textbook};
+pub use one::counted;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use unitvec_catalogue::{AnyCodec, Operation};
-pub use unitvec_choose::costs::{Report, Row, Source};
+pub use unitvec_choose::costs::{KernelKind, Report, Row, Source};
 use unitvec_manifest::modules::Modules;
 use unitvec_manifest::sha256_hex;
 use unitvec_run::glsl;
-use unitvec_vulkan::{Division, Inspector, Statistics};
+use unitvec_vulkan::{Division, ImageFormat, Inspector, PipelineOptions, Statistics};
+
+/// A device's compiler, and the file of what its driver says.
+pub struct Asked<'a> {
+    inspector: &'a Inspector,
+    said: stand_in::Said,
+}
+
+impl<'a> Asked<'a> {
+    /// Asks the compiler of this device.
+    ///
+    /// # Errors
+    /// [`stand_in::Error::NotStarted`] where the process that started this one left no file.
+    pub fn new(inspector: &'a Inspector) -> Result<Self> {
+        Ok(Self { inspector, said: stand_in::Said::of_process().map_err(stand_in::Error::NotStarted)? })
+    }
+
+    /// The device's name.
+    pub fn device(&self) -> &str {
+        &self.inspector.device().info().name
+    }
+
+    /// The statistics of a kernel.
+    ///
+    /// # Errors
+    /// Those of [`Inspector::statistics`].
+    pub fn statistics(&self, division: Division, module: &[u8], entry_point: &str) -> Result<Statistics> {
+        let (found, said) = self.said.during(|| self.inspector.statistics(division, module, entry_point));
+        let mut found = found?;
+        found.extend(stand_in::shader_db(&said, "COMPUTE"));
+        Ok(found)
+    }
+
+    /// The statistics of a pipeline's vertex shader and fragment shader.
+    ///
+    /// # Errors
+    /// Those of [`Inspector::stages`].
+    pub fn stages(&self, colours: &[ImageFormat], options: &PipelineOptions<'_>) -> Result<[Statistics; 2]> {
+        let (found, said) = self.said.during(|| self.inspector.stages(colours, options));
+        let mut found = found?;
+        for (statistics, stage) in found.iter_mut().zip(["VERTEX", "FRAGMENT"]) {
+            statistics.extend(stand_in::shader_db(&said, stage));
+        }
+        Ok(found)
+    }
+}
 
 /// Compiles the kernels of these codecs, from all sources; `done` receives each codec that is finished.
 ///
@@ -23,35 +72,45 @@ pub fn measure(
     inspector: &Inspector,
     modules: &Modules,
     formats: &[&'static AnyCodec],
+    kernel: KernelKind,
     done: impl Fn(&'static AnyCodec) + Sync,
 ) -> Result<Report> {
     // glslang starts faster while another one runs.
     let _compiler = glsl::Compiler::new()?;
+    let asked = Asked::new(inspector)?;
     let measured: Result<Vec<Vec<Row>>> = formats
         .par_iter()
         .map(|format| {
-            let rows = of_codec(inspector, modules, format)?;
+            let rows = match kernel {
+                KernelKind::Four => of_codec(&asked, modules, format)?,
+                KernelKind::One => rows(&asked, one::of_codec(format)?)?,
+            };
             done(format);
             Ok(rows)
         })
         .collect();
+    let idle = if kernel == KernelKind::One { rows(&asked, one::idle(formats)?)? } else { Vec::new() };
     Ok(Report {
         device: inspector.device().info().clone(),
-        sources: sources(modules, formats)?,
-        rows: measured?.into_iter().flatten().collect(),
+        kernel,
+        sources: sources(modules, formats, kernel)?,
+        rows: measured?.into_iter().flatten().chain(idle).collect(),
     })
 }
 
-fn of_codec(inspector: &Inspector, modules: &Modules, format: &AnyCodec) -> Result<Vec<Row>> {
+fn rows(asked: &Asked<'_>, kernels: Vec<one::Kernel>) -> Result<Vec<Row>> {
+    kernels.into_iter().map(|kernel| one::row(asked, kernel)).collect()
+}
+
+fn of_codec(asked: &Asked<'_>, modules: &Modules, format: &AnyCodec) -> Result<Vec<Row>> {
     let compiler = glsl::Compiler::new()?;
     let mut rows = Vec::new();
     for operation in Operation::ALL {
         let name = format.function(operation);
         let mut add = |source, module: &[u8], entry_point: &str, textbook: Option<&Textbook>| -> Result<()> {
             let division = if source == Source::Exact { Division::Exact } else { Division::Device };
-            let statistics = inspector.statistics(division, module, entry_point)?;
-            let device = &inspector.device().info().name;
-            rows.push(row(format.id, operation, source, textbook, &statistics, device));
+            let statistics = asked.statistics(division, module, entry_point)?;
+            rows.push(row(format.id, operation, source, textbook, &statistics, asked.device()));
             Ok(())
         };
         for source in [Source::Rust, Source::Exact] {
@@ -78,9 +137,6 @@ pub fn row(
     // RADV's names, and that of Intel's drivers for the first.
     let of = |names: &[&str]| names.iter().find_map(|name| statistics.get(*name).copied());
     Row {
-        id: id.to_owned(),
-        operation,
-        source,
         textbook: textbook.map(|textbook| textbook.id.to_owned()),
         instructions: of(&["Instructions", "Instruction Count"]),
         vector_instructions: vector_instructions(statistics, device),
@@ -88,6 +144,7 @@ pub fn row(
         latency: of(&["Latency"]),
         vector_registers: of(&["VGPRs"]),
         code_bytes: of(&["Code size"]),
+        ..Row::new(id, operation, source)
     }
 }
 
@@ -127,12 +184,21 @@ fn vector_instructions(statistics: &Statistics, device: &str) -> Option<f64> {
 ///
 /// # Errors
 /// [`glsl::Error::NoSource`], which would be a fault of this crate.
-pub fn sources(modules: &Modules, formats: &[&'static AnyCodec]) -> Result<BTreeMap<String, String>> {
+fn sources(
+    modules: &Modules,
+    formats: &[&'static AnyCodec],
+    kernel: KernelKind,
+) -> Result<BTreeMap<String, String>> {
     let half = |sha256: &str| sha256.get(..32).unwrap_or(sha256).to_owned();
     let mut sources = BTreeMap::new();
     for path in unitvec_shaders::glsl_paths().filter(|path| is_source(path, formats)) {
         let text = glsl::source(path)?;
         sources.insert(format!("glsl/{path}"), half(&sha256_hex(text.as_bytes())));
+    }
+    if kernel == KernelKind::One {
+        sources.retain(|path, _| !path.contains("/kernels/"));
+        sources.insert("host/lab/src/isa/one.comp".to_owned(), half(&sha256_hex(one::KERNEL.as_bytes())));
+        return Ok(sources);
     }
     for module in &modules.manifest().modules {
         let has = |name: &str| module.entry_points.iter().any(|entry| entry.name == name);

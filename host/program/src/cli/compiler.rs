@@ -8,13 +8,13 @@ use clap::Args;
 use std::fmt::{Display, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
-use unitvec_catalogue::Operation;
-use unitvec_choose::costs::{Report, Row, Source};
+use unitvec_catalogue::{AnyCodec, Operation};
+use unitvec_choose::costs::{KernelKind, Line, Report, Row, Source, find_gpu};
 use unitvec_host::{Error, Result};
 use unitvec_lab::isa;
 use unitvec_lab::isa::pareto;
-use unitvec_lab::isa::radv;
-use unitvec_lab::isa::radv::Radv;
+use unitvec_lab::isa::stand_in::StandIn;
+use unitvec_manifest::modules::Modules;
 use unitvec_run::glsl;
 use unitvec_vulkan::{DeviceInfo, Inspector};
 
@@ -28,6 +28,9 @@ pub struct Arguments {
     /// With --gpu: the file of the RADV to ask, radeon_icd*.json, instead of the system's; or the variable UNITVEC_RADV_ICD.
     #[arg(long, value_name = "FILE", requires = "gpu")]
     driver: Option<PathBuf>,
+    /// Kernels: of one element an invocation, with aligned reads and writes, or of four, as they ship.
+    #[arg(long, value_enum, value_name = "KIND", default_value_t = KernelKind::One)]
+    kernel: KernelKind,
     /// Draw a chart of the bounds of the codecs' errors against their costs, as SVG.
     #[arg(long, value_name = "FILE")]
     chart: Option<PathBuf>,
@@ -37,10 +40,13 @@ pub struct Arguments {
 
 impl Arguments {
     /// The driver's environment, where it is asked for.
-    fn radv(&self) -> Result<Option<Radv>> {
+    fn stand_in(&self) -> Result<Option<StandIn>> {
         let Some(gpu) = &self.gpu else { return Ok(None) };
-        let driver = self.driver.clone().or_else(|| variable("UNITVEC_RADV_ICD").map(PathBuf::from));
-        Ok(Some(Radv::new(gpu, driver.as_deref())?))
+        let radv = || {
+            variable("UNITVEC_RADV_ICD").filter(|_| find_gpu(gpu).is_none_or(|gpu| gpu.line == Line::Radeon))
+        };
+        let driver = self.driver.clone().or_else(|| radv().map(PathBuf::from));
+        Ok(Some(StandIn::new(gpu, driver.as_deref())?))
     }
 }
 
@@ -48,91 +54,139 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let (measured, run) = (&arguments.measured, &arguments.measured.run);
     // It says so before another process begins.
     glsl::Compiler::new()?;
-    if let Some(radv) = arguments.radv()? {
-        if run.vulkan.names_device() {
-            return Err(Error::Usage("--gpu and --device both name a device; leave one out".to_owned()));
-        }
-        if !radv.is_here() {
-            let status = radv.command()?.status().map_err(radv::Error::NotStarted)?;
-            let code = status.code().and_then(|code| u8::try_from(code).ok());
-            return Ok(code.map_or(ExitCode::FAILURE, ExitCode::from));
-        }
+    if arguments.gpu.is_some() && run.vulkan.names_device() {
+        return Err(Error::Usage("--gpu and --device both name a device; leave one out".to_owned()));
+    }
+    let nvidia = arguments.gpu.as_deref().and_then(find_gpu).filter(|gpu| gpu.line == Line::Nvidia);
+    if let Some(stand_in) = arguments.stand_in()?.filter(|one| nvidia.is_none() && !one.is_here()) {
+        return Ok(stand_in.run()?);
     }
     let is_quiet = measured.outputs.take_stdout(&run.json)?;
     let chosen = run.formats()?;
     let live = Live::new(Some(chosen.len() as u64), CODECS_LEFT, is_quiet);
-    let mut screen = Screen::new(columns(), &run.wide, live)?;
-    let instance = run.vulkan.instance()?;
-    let inspector = Inspector::open(&instance, &run.vulkan.choice())?;
-    let report = isa::measure(&inspector, &run.vulkan.modules()?, &chosen, |format| {
+    let mut screen = Screen::new(columns(arguments.kernel), &run.wide, live)?;
+    let modules = run.vulkan.modules()?;
+    let done = |format: &AnyCodec| {
         screen.live.name(format.id);
         screen.live.advance(1);
-    })?;
-    drop(inspector);
-    screen.finish(instance.validation_messages());
+    };
+    let (report, messages) = match nvidia {
+        Some(gpu) => (isa::nvidia::measure(gpu, &modules, &chosen, done)?, Vec::new()),
+        None => asked(arguments, &modules, &chosen, done)?,
+    };
+    screen.finish(messages);
 
     measured.write(&report.rows, &report.to_json(), &markdown(&report))?;
     if let Some(path) = &arguments.chart {
         write_chart(path, pareto::svg(&report))?;
     }
-    screen.head(&legend(&report.device))?;
-    let line = |row| screen.line(&cells(&report, row).each_ref().map(|cell| cell as &dyn Display));
+    screen.head(&legend(&report))?;
+    let line = |row| {
+        let cells = cells(&report, row);
+        screen.line(&cells.iter().map(|cell| cell as &dyn Display).collect::<Vec<_>>())
+    };
     screen.live.print(|| report.rows.iter().map(line).collect())?;
     screen.end(&summary(&report))
 }
 
-fn legend(device: &DeviceInfo) -> String {
+/// The report of the compiler in the driver of a Vulkan device, and the messages of the validation layer.
+fn asked(
+    arguments: &Arguments,
+    modules: &Modules,
+    chosen: &[&'static AnyCodec],
+    done: impl Fn(&'static AnyCodec) + Sync,
+) -> Result<(Report, Vec<String>)> {
+    let vulkan = &arguments.measured.run.vulkan;
+    let instance = vulkan.instance()?;
+    let inspector = Inspector::open(&instance, &vulkan.choice())?;
+    let report = isa::measure(&inspector, modules, chosen, arguments.kernel, done)?;
+    // A stand-in's device cannot be destroyed: that of VideoCore waits for its queue, and ends the process.
+    if arguments.gpu.is_some() {
+        std::mem::forget(inspector);
+    }
+    Ok((report, instance.validation_messages()))
+}
+
+fn legend(report: &Report) -> String {
+    let DeviceInfo { driver, name, .. } = &report.device;
+    let figures = match report.kernel {
+        KernelKind::One => {
+            "instructions: those of one element, beyond a kernel that adds the components that it reads; / oct32, / glsl: as \
+             multiples of those of oct32's kernel, of the codec's own, from GLSL\n\
+             width: invocations that an instruction serves; classes: instructions by the driver's words, nothing subtracted\n"
+        }
+        KernelKind::Four => {
+            "T: inverse throughput, cycles of a compute unit's busiest part for 64 invocations of four vectors; / oct32: T as a \
+             multiple of that of oct32's kernel from GLSL\n\
+             vector / v: vector instructions a vector; / glsl: instructions as a multiple of those of the kernel from GLSL\n"
+        }
+    };
     format!(
-        "compiler: driver {} for {}; nothing was run\n\
-         T: inverse throughput, cycles of a compute unit's busiest part for 64 invocations of four vectors; / oct32: T as a \
-         multiple of that of oct32's kernel from GLSL\n\
-         vector / v: vector instructions a vector; registers: vector \
-         registers; / glsl: instructions as a multiple of those of the kernel from GLSL\n\
-         -: not told by the driver, or not to be worked out\n\n",
-        device.driver, device.name,
+        "compiler: driver {driver} for {name}; nothing was run\n{figures}registers: vector registers; -: not told by the driver, \
+         or not to be worked out\n\n"
     )
 }
 
-fn columns() -> Vec<Column> {
-    vec![
-        left("codec", 20),
-        left("", 6),
-        left("source", 8),
-        right("T", 5),
-        right("/\noct32", 5).rank(1),
-        right("vector\n/ v", 6).rank(3),
-        right("instruc-\ntions", 8),
-        right("/\nglsl", 5).rank(2),
-        right("regis-\nters", 6).rank(4),
-        right("latency", 7).rank(6),
-        right("bytes", 6).rank(5),
-    ]
+fn columns(kernel: KernelKind) -> Vec<Column> {
+    let mut columns = vec![left("codec", 20), left("", 6), left("source", 8)];
+    columns.extend(match kernel {
+        KernelKind::One => vec![
+            right("instruc-\ntions", 8),
+            right("/\noct32", 6),
+            right("/\nglsl", 5).rank(1),
+            right("regis-\nters", 6).rank(2),
+            right("spills", 6).rank(3),
+            right("width", 5).rank(4),
+            right("bytes", 6).rank(5),
+            left("classes", 48).rank(6),
+        ],
+        KernelKind::Four => vec![
+            right("T", 5),
+            right("/\noct32", 5).rank(1),
+            right("vector\n/ v", 6).rank(3),
+            right("instruc-\ntions", 8),
+            right("/\nglsl", 5).rank(2),
+            right("regis-\nters", 6).rank(4),
+            right("latency", 7).rank(6),
+            right("bytes", 6).rank(5),
+        ],
+    });
+    columns
 }
 
-fn cells(report: &Report, row: &Row) -> [String; 11] {
+fn cells(report: &Report, row: &Row) -> Vec<String> {
     let integer = |value: Option<u64>| value.map_or_else(|| "-".to_owned(), |value| value.to_string());
-    [
-        row.textbook.clone().unwrap_or_else(|| row.id.clone()),
-        row.operation.to_string(),
-        row.source.to_string(),
-        integer(row.inverse_throughput),
-        number(report.ratio_to_oct32(row), 2),
-        number(row.vector_instructions, 1),
-        integer(row.instructions),
-        number(report.ratio_to_glsl(row), 2),
-        integer(row.vector_registers),
-        integer(row.latency),
-        integer(row.code_bytes),
-    ]
+    let name = row.textbook.clone().unwrap_or_else(|| row.id.clone());
+    let mut cells = vec![name, row.operation.to_string(), row.source.to_string()];
+    let (to_oct32, to_glsl) = (number(report.ratio_to_oct32(row), 2), number(report.ratio_to_glsl(row), 2));
+    let (registers, bytes) = (integer(row.vector_registers), integer(row.code_bytes));
+    cells.extend(match report.kernel {
+        KernelKind::One => {
+            let classes: Vec<String> =
+                row.classes.iter().map(|(class, count)| format!("{class} {count}")).collect();
+            let beyond = number(report.beyond_idle(row), 0);
+            let [spills, width] = [row.spills, row.width].map(integer);
+            vec![beyond, to_oct32, to_glsl, registers, spills, width, bytes, classes.join(", ")]
+        }
+        KernelKind::Four => {
+            let [throughput, instructions, latency] =
+                [row.inverse_throughput, row.instructions, row.latency].map(integer);
+            let vector = number(row.vector_instructions, 1);
+            vec![throughput, to_oct32, vector, instructions, to_glsl, registers, latency, bytes]
+        }
+    });
+    cells
 }
 
 fn markdown(report: &Report) -> String {
+    let columns = columns(report.kernel);
+    let titles: Vec<String> = columns.iter().map(Column::title).collect();
     let mut text = format!(
-        "{}, {}.\n\n| codec | operation | source | T | T / oct32 | vector instructions a vector | instructions | instructions / \
-         glsl | vector registers | latency | bytes |\n|{}\n",
+        "{}, {}.\n\n| {} |\n|{}\n",
         report.device.name,
         report.device.driver,
-        "---|".repeat(11)
+        titles.join(" | "),
+        "---|".repeat(titles.len())
     );
     for row in &report.rows {
         // Writing to a String cannot fail.
@@ -144,6 +198,11 @@ fn markdown(report: &Report) -> String {
 /// Where the kernels from Rust have more instructions than those from GLSL: the worst few.
 fn summary(report: &Report) -> String {
     const SHOWN: usize = 6;
+    let is_counted = |row: &&Row| (row.source, row.operation) == (Source::Glsl, Operation::Encode);
+    let codecs = counted(report.rows.iter().filter(is_counted).count() as u64, "codecs");
+    if report.kernel == KernelKind::One {
+        return format!("\nbench compiler: {codecs} on {}\n", report.subject());
+    }
     let of_rust = report.rows.iter().filter(|row| row.source == Source::Rust);
     let mut longer: Vec<(&Row, f64)> = of_rust
         .filter_map(|row| Some((row, report.ratio_to_glsl(row).filter(|ratio| *ratio > 1.02)?)))
@@ -158,9 +217,7 @@ fn summary(report: &Report) -> String {
         named.push(format!("{} more", longer.len() - SHOWN));
     }
     let verdict = if named.is_empty() { "none".to_owned() } else { named.join(", ") };
-    let is_counted = |row: &&Row| (row.source, row.operation) == (Source::Glsl, Operation::Encode);
     format!(
-        "\nbench compiler: {}; instructions of SPIR-V from Rust above 1.02 of those from GLSL: {verdict}\n",
-        counted(report.rows.iter().filter(is_counted).count() as u64, "codecs")
+        "\nbench compiler: {codecs}; instructions of SPIR-V from Rust above 1.02 of those from GLSL: {verdict}\n"
     )
 }

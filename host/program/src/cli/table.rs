@@ -70,6 +70,12 @@ pub fn right(heading: &str, width: usize) -> Column {
 }
 
 impl Column {
+    /// The heading in one line; a word broken at its end is whole.
+    #[cfg(feature = "lab")]
+    pub fn title(&self) -> String {
+        self.heading.replace("-\n", "").replace('\n', " ")
+    }
+
     /// With a wide gap before it.
     pub fn apart(self) -> Self {
         Self { gap: 2, ..self }

@@ -177,10 +177,15 @@ fn encode(v: Vec3, lattice: Lattice) -> u32 {
 /// The direction of the lattice point of a code: unit length to within 2 ULP.
 #[inline(always)]
 fn decode(code: u32, lattice: Lattice) -> Vec3 {
-    let last = 6 * lattice.face() - 1;
+    let points = lattice.face();
+    let last = 6 * points - 1;
     let code = if code < last { code } else { last };
-    let face = code / lattice.face();
-    let doubled = 2 * (code - face * lattice.face());
+    let (is_x, is_z) = (code < 2 * points, code >= 4 * points);
+    // Comparisons, which take less than another division.
+    let first = if is_z { 4 * points } else { 2 * points };
+    let on_axis = code - if is_x { 0 } else { first };
+    let is_back = on_axis >= points;
+    let doubled = 2 * (on_axis - if is_back { points } else { 0 });
     let line = doubled / lattice.line() as u32;
     let column = (doubled - line * lattice.line() as u32) as i32 - lattice.columns;
     let (column, row) = (column as f32, (line as i32 - lattice.rows) as f32);
@@ -189,8 +194,7 @@ fn decode(code: u32, lattice: Lattice) -> Vec3 {
     let across = lattice.across - column.abs();
     let along = lattice.along - row.abs();
     let p = normalize(Vec3::new((WEIGHT * column) * along, (WEIGHT * row) * across, across * along));
-    let front = negate_if((face & 1) != 0, p.z);
-    let (is_x, is_z) = (face < 2, face >= 4);
+    let front = negate_if(is_back, p.z);
     Vec3::new(
         if is_x { front } else { p.x },
         if is_x {

@@ -69,13 +69,16 @@
 //! * The six axes round-trip exactly. A direction mirrored at a coordinate plane decodes to the mirrored vector,
 //!   exactly, if it does not lie in the plane; with the axes cyclically exchanged, within rounding.
 //! * Good for: the least error that the bits can have, to a few per cent, without a table. Weaknesses: the cost, most
-//!   of all to encode. Of an encoder's 175 vector instructions on RDNA 2, Newton's step takes some 37, the choice of the
-//!   corner 26 and the distances between neighbours 16. A polynomial in the step's place would have to be good to 3e-4 of
-//!   a lattice step at 24 bits; the best that we found leaves 0.008. Neighbouring rows are unrelated, so that codes must not be interpolated.
+//!   of all to encode. Neighbouring rows are unrelated, so that codes must not be interpolated.
+//! * An encoder's 174 vector instructions on RDNA 2: flat coordinates 33, cubic 22, Newton's step 36, cell 10, distances between
+//!   neighbours 16, choice of the corner 16, code 41. All but the last are single sums and products of floats, which would round
+//!   otherwise in another order and give other codes where two are nearly as far. A polynomial in the step's place would have
+//!   to be good to 3e-4 of a lattice step at 24 bits; the best that we found leaves 0.008. A decoder's 79: row and column
+//!   36, direction 24, signs and order 19.
 
 use crate::arith::{
-    SIGN_BIT, TWO_23, coefficients, flip_sign, floor, is_negative, mask, max, min, negate_if, normalize,
-    ratio, reciprocal, whole_to_u32, with_sign,
+    TWO_23, coefficients, floor, is_negative, mask, max, min, negate_if, normalize, ratio, reciprocal,
+    whole_to_u32, with_sign,
 };
 use crate::codec::{Codec, Width};
 use crate::direction::{is_usable, l1_norm};
@@ -304,9 +307,9 @@ fn on_face(i: Vec3, v: Vec3, is_octant: bool, of_z: bool, of_x: bool) -> (f32, f
     }
     let of_y = !of_z & !of_x;
     let (x_side, y_side, z_side) = (is_negative(v.x), is_negative(v.y), is_negative(v.z));
-    let straddled = (of_y & y_side) | (of_z & z_side) | (of_x & x_side);
-    let base = (of_y & z_side) | (of_z & x_side) | (of_x & y_side);
-    let apex = (of_y & x_side) | (of_z & y_side) | (of_x & z_side);
+    let straddled = select(of_z, z_side, select(of_x, x_side, y_side));
+    let base = select(of_z, x_side, select(of_x, y_side, z_side));
+    let apex = select(of_z, y_side, select(of_x, z_side, x_side));
 
     let is_other = straddled & !is_octant;
     let has_x = (is_other & of_z) | (!is_other & of_y);
@@ -316,7 +319,7 @@ fn on_face(i: Vec3, v: Vec3, is_octant: bool, of_z: bool, of_x: bool) -> (f32, f
 }
 
 #[inline(always)]
-fn select(condition: bool, x: f32, otherwise: f32) -> f32 {
+fn select<T>(condition: bool, x: T, otherwise: T) -> T {
     if condition { x } else { otherwise }
 }
 
@@ -334,20 +337,24 @@ fn decode(code: u32, lattice: Lattice) -> Vec3 {
     let is_octant = code >= lattice.octants();
     let (first, length) = if is_octant { (lattice.octants(), lattice.n - 1) } else { (0, lattice.n + 2) };
     let (per_length, rows, per_rows) = if is_octant {
-        (ratio(2.0, n - 1.0), n - 2.0, ratio(1.0, n - 2.0))
+        (ratio(1.0, n - 1.0), n - 2.0, ratio(1.0, n - 2.1))
     } else {
-        (ratio(2.0, n + 2.0), n, ratio(1.0, n))
+        (ratio(1.0, n + 2.0), n, ratio(1.0, n - 0.1))
     };
 
-    // `index / 2` fits a signed integer, which processors convert faster. The quotient is between 0.04 less and 0.03 more
-    // than the exact one: so `line` is it or the next, and then the remainder wraps.
+    // The quotient is between 0.04 less and 0.03 more than the exact one: so `line` is it or the next, and then the
+    // remainder wraps.
     let index = code.wrapping_sub(first);
-    let line = floor((index >> 1) as i32 as f32 * per_length + 0.05);
-    let rest = index.wrapping_sub(counted(line + TWO_23).wrapping_mul(length));
+    // CPUs convert signed integers faster.
+    let place = if cfg!(target_arch = "spirv") { index as f32 } else { (index >> 1) as i32 as f32 * 2.0 };
+    let line = counted(place * per_length + TWO_23);
+    let rest = index.wrapping_sub(line.wrapping_mul(length));
     let is_next = rest >= length;
-    let line = if is_next { line - 1.0 } else { line };
-    let column = (if is_next { rest.wrapping_add(length) } else { rest }) as i32 as f32;
-    let block = floor((line + 0.5) * per_rows);
+    let column = select(is_next, rest.wrapping_add(length), rest) as i32 as f32;
+    let line = line.wrapping_sub(select(is_next, 1, 0)) as i32 as f32;
+    // `per_rows` is a little more than 1 / rows, so that a block's first line, which is a multiple, counts to it.
+    let part = line * per_rows;
+    let block = floor(part);
     let row = line - block * rows;
 
     let (first_number, last_row) = if is_octant { (1.0, n - 3.0) } else { (0.0, n) };
@@ -361,11 +368,14 @@ fn decode(code: u32, lattice: Lattice) -> Vec3 {
     let v = normalize(Vec3::new(GOLDEN * w.z + to_x, w.x + y_of_y * w.y, GOLDEN * (w.x + to_z) + w.z));
 
     // Of the components, y alone can be 0, where it keeps its sign.
-    let block = whole_to_u32(block);
-    let (odd, upper) = (block << 31, (block << 30) & SIGN_BIT);
-    let (y_sign, z_sign) = if is_octant { (odd, upper) } else { (0, odd) };
-    let v = Vec3::new(negate_if(is_second, v.x), flip_sign(v.y, y_sign), flip_sign(v.z, z_sign));
-    turn(v, !is_octant & (block & 6 == 2), !is_octant & (block >= 4))
+    let (is_odd, is_upper) = (whole_to_u32(block) & 1 != 0, part >= 2.0);
+    let v = Vec3::new(
+        negate_if(is_second, v.x),
+        negate_if(is_octant & is_odd, v.y),
+        negate_if(select(is_octant, is_upper, is_odd), v.z),
+    );
+    let of_x = !is_octant & (part >= 4.0);
+    turn(v, !is_octant & is_upper & !of_x, of_x)
 }
 
 /// Icosahedral code of `BITS` bits (16, 24 or 32).

@@ -162,16 +162,12 @@ pub(super) fn cell_lengths(column: u32, row: u32) -> Lengths {
     lengths
 }
 
-/// A length from 64 to 127, whatever the word: its bits 17 to 22, as the first of the mantissa, with the exponent of 64.
-#[inline(always)]
-fn length_of(word: u32) -> f32 {
-    f32::from_bits((word & 0x007e_0000) | 0x4280_0000)
-}
-
-/// The lengths in a word of the table, in the low six bits of each byte.
+/// The lengths in a word of the table, in the low six bits of each byte: 64 to 127, whatever the word.
 #[inline(always)]
 pub(super) fn lengths_in(word: u32) -> Lengths {
-    [length_of(word << 17), length_of(word << 9), length_of(word << 1), length_of(word >> 7)]
+    let bytes = (word & 0x3f3f_3f3f) | 0x4040_4040;
+    let length = |shift: u32| ((bytes >> shift) & 0xff) as f32;
+    [length(0), length(8), length(16), length(24)]
 }
 
 /// Number of a cell's word: four columns side by side have their rows, of which they need no more than there are

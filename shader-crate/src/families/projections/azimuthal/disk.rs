@@ -52,9 +52,9 @@ impl Projection for Stereo {
     #[inline(always)]
     fn from_disk(disk: Disk) -> Vec3 {
         // Divisions rather than a product with the reciprocal: its rounding would take the length beyond 2 ULP.
-        let sum = 2.0 - disk.rim;
-        let over_sum = |part| signed_quotient(part, sum);
-        Vec3::new(over_sum(2.0 * disk.point.x), over_sum(2.0 * disk.point.y), over_sum(disk.rim))
+        let half_rim = 0.5 * disk.rim;
+        let over_half_sum = |half| signed_quotient(half, 1.0 - half_rim);
+        Vec3::new(over_half_sum(disk.point.x), over_half_sum(disk.point.y), over_half_sum(half_rim))
     }
 }
 

@@ -102,8 +102,8 @@ pub use disk::*;
 pub use square::*;
 
 use crate::arith::{
-    SnormDivision, exp2, floor, is_negative, is_set, negate_if, ratio, reciprocal, signed_code,
-    signed_integer, snorm_clamp, snorm_integer, snorm_max,
+    SnormDivision, exp2, floor, is_negative, is_set, negate_if, negate_positive, ratio, reciprocal,
+    signed_code, signed_integer, signed_quotient, snorm_clamp, snorm_integer, snorm_max,
 };
 use crate::codec::{Codec, Width};
 use crate::direction::or_z;
@@ -132,6 +132,12 @@ impl Lattice {
     #[inline(always)]
     fn parts(self, e: Vec2) -> Vec2 {
         Vec2::new(self.by_u.of(e.x), e.y * self.v_step)
+    }
+
+    /// `p / largest`, rounded as the device divides; v's is a power of two.
+    #[inline(always)]
+    fn over_largest(self, p: Vec2) -> Vec2 {
+        Vec2::new(signed_quotient(p.x, self.largest.x), p.y * self.v_step)
     }
 }
 
@@ -212,11 +218,15 @@ where
         let m = Self::LATTICE.largest;
         let u = snorm_integer(code, u_bits);
         let v = signed_integer(code >> u_bits, v_bits);
-        let flag = (code >> (BITS - 1)) & 1 != 0;
+        let flag = code & (1 << (BITS - 1)) != 0;
 
         let n = P::from_disk(S::to_disk(Vec2::new(u.abs(), v.abs()), Self::LATTICE));
         let back = v < 0.0 && !(flag && v <= -m.y);
-        Vec3::new(signed(u < 0.0, n.x), signed(back, n.y), signed(flag, n.z))
+        // The same for numbers that are not negative: GPUs take less for one, CPUs for the other.
+        let part = |negative, x| {
+            if cfg!(target_arch = "spirv") { negate_positive(negative, x) } else { signed(negative, x) }
+        };
+        Vec3::new(part(u < 0.0, n.x), part(back, n.y), signed(flag, n.z))
     }
 }
 

@@ -4,7 +4,9 @@ use super::Lattice;
 use super::disk::Disk;
 #[cfg(doc)]
 use super::disk::Projection;
-use crate::arith::{atan_octant_ratio, inverse_root, quotient, root, signed_quotient, sin_cos_half_turns};
+use crate::arith::{
+    atan_octant_ratio, inverse_root, min, quotient, root, signed_quotient, sin_cos_half_turns,
+};
 #[cfg(doc)]
 use crate::codec::Codec;
 use core::fmt::Debug;
@@ -70,24 +72,21 @@ impl SquareMap for Plain {
 
     #[inline(always)]
     fn settle(e: Vec2, lattice: Lattice) -> Vec2 {
-        let slope = over_each(lattice.parts(e), lattice.largest);
-        let inward = if slope.x > slope.y { Vec2::X } else { Vec2::Y };
-        if is_remote(e, lattice) { e - inward } else { e }
+        let slope = lattice.over_largest(lattice.parts(e));
+        let (along_u, remote) = (slope.x > slope.y, is_remote(e, lattice));
+        let less = |moves| if moves { 1.0 } else { 0.0 };
+        Vec2::new(e.x - less(remote & along_u), e.y - less(remote & !along_u))
     }
 
     #[inline(always)]
     fn to_disk(e: Vec2, lattice: Lattice) -> Disk {
         let p = lattice.parts(e);
         let rim = 1.0 - (p.x * p.x + p.y * p.y);
-        let onto_rim = move_to_rim(p, lattice.largest, -0.5 * rim);
+        let onto_rim = move_to_rim(p, -0.5 * rim, lattice);
         let axis = if p.x > p.y { Vec2::X } else { Vec2::Y };
-        let on_rim = if is_remote(e, lattice) { axis } else { onto_rim };
-        let rest = 1.0 - (on_rim.x * on_rim.x + on_rim.y * on_rim.y);
-        if rim > 0.0 {
-            Disk { point: p, radius: 0.0, rim }
-        } else {
-            Disk { point: on_rim, radius: 0.0, rim: if rest < 0.0 { rest } else { 0.0 } }
-        }
+        let point = if is_remote(e, lattice) { axis } else { onto_rim };
+        let rest = 1.0 - (point.x * point.x + point.y * point.y);
+        Disk { point, radius: 0.0, rim: if rim > 0.0 { rest } else { min(rest, 0.0) } }
     }
 
     #[inline(always)]
@@ -115,18 +114,19 @@ fn over_each(a: Vec2, b: Vec2) -> Vec2 {
     Vec2::new(signed_quotient(a.x, b.x), signed_quotient(a.y, b.y))
 }
 
-/// The point on the rim for a point `p` beyond it, where `excess` is `(|p|^2 - 1) / 2`.
+/// The point on the rim for a point `p` beyond it, where `excess` is `(|p|^2 - 1) / 2`; other points stay.
 #[inline(always)]
-fn move_to_rim(p: Vec2, m: Vec2, excess: f32) -> Vec2 {
+fn move_to_rim(p: Vec2, excess: f32, lattice: Lattice) -> Vec2 {
     // The decrease of the excess by one step on each axis.
-    let slope = over_each(p, m);
+    let slope = lattice.over_largest(p);
     let along_u = slope.x > slope.y;
     let (steep, gentle) = if along_u { (slope.x, slope.y) } else { (slope.y, slope.x) };
     let alone = signed_quotient(excess, steep);
     let remainder = signed_quotient(excess - REACH * steep, gentle);
-    let (first, second) = if alone < REACH { (alone, 0.0) } else { (REACH, remainder) };
-    let moved = if along_u { Vec2::new(first, second) } else { Vec2::new(second, first) };
-    p - over_each(moved, m)
+    let beyond = excess >= 0.0;
+    let first = if beyond { min(alone, REACH) } else { 0.0 };
+    let second = if beyond & (alone >= REACH) { remainder } else { 0.0 };
+    p - lattice.over_largest(if along_u { Vec2::new(first, second) } else { Vec2::new(second, first) })
 }
 
 /// Shirley and Chiu's concentric map: keeps relative areas; circles become squares. It creases at the diagonals.

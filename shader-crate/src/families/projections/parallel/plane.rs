@@ -10,10 +10,10 @@ pub(super) const INSET: f32 = 0.4375;
 const SEXTANT_LIMIT: f32 = 0.999_999_5;
 
 /// The factor that takes a point of this extent, from 1 on, inside, by 2^-21: the tangent of `1 / sqrt(extent)` at 1,
-/// which nowhere is above it. A square root would differ from device to device.
+/// which nowhere is above it. A square root would differ from device to device. `half_unit` is half an extent of 1.
 #[inline(always)]
-pub(super) fn onto_border(extent: f32) -> f32 {
-    1.499_999_5 - 0.5 * extent
+pub(super) fn onto_border(extent: f32, half_unit: f32) -> f32 {
+    1.499_999_5 - half_unit * extent
 }
 
 /// The plane that the components are stored in. For constants only: see [`SnormDivision::new`].
@@ -32,10 +32,15 @@ pub(super) struct Plane {
     step: Vec2,
     /// Points are inside up to this [`extent`](Self::extent).
     limit: f32,
+    /// Half an extent of 1.
+    half_unit: f32,
     /// The inset of points outside, when they are decoded, in steps.
     inset: f32,
     /// Whether the border is that of a sextant and not of the disk.
     sextant: bool,
+    /// Whether extents are those of points in steps: for two components of 8 bits, where they tell the same points
+    /// outside.
+    in_steps: bool,
 }
 
 impl Plane {
@@ -44,6 +49,10 @@ impl Plane {
     pub(super) const fn disk(x_bits: u32, y_bits: u32) -> Self {
         let m = Vec2::new(snorm_max(x_bits), snorm_max(y_bits));
         let fine = x_bits > 22;
+        let in_steps = x_bits == 8 && y_bits == 8;
+        let square = m.x * m.x;
+        // 1 + 3 2^-23: half a unit of the last place in length more than the coarser component is off.
+        let unit_limit = if fine { 1.000_000_4 } else { 1.0 };
         Self {
             x_bits,
             y_bits,
@@ -52,10 +61,11 @@ impl Plane {
             by_x: SnormDivision::new(x_bits),
             by_y: SnormDivision::new(y_bits),
             step: Vec2::ZERO,
-            // 1 + 3 2^-23: half a unit of the last place in length more than the coarser component is off.
-            limit: if fine { 1.000_000_4 } else { 1.0 },
+            limit: if in_steps { square } else { unit_limit },
+            half_unit: if in_steps { ratio(0.5, square) } else { 0.5 },
             inset: if fine { 0.0 } else { INSET },
             sextant: false,
+            in_steps,
         }
     }
 
@@ -79,45 +89,54 @@ impl Plane {
         if self.sextant { e * self.step } else { Vec2::new(self.by_x.of(e.x), self.by_y.of(e.y)) }
     }
 
-    /// The extent of a point of the positive quadrant: 1 on the border.
+    /// The extent of a point of the positive quadrant: the limit on the border.
     #[inline(always)]
-    fn extent(self, p: Vec2) -> f32 {
+    fn extent(self, e: Vec2) -> f32 {
+        let p = if self.in_steps { e } else { self.parts(e) };
         let larger = max(p.x, p.y);
         let disk = p.x * p.x + p.y * p.y;
         if self.sextant { disk + larger * larger } else { disk }
     }
 
+    /// Whether the border is reached sooner along the first component.
     #[inline(always)]
-    fn is_outside(self, e: Vec2) -> bool {
-        self.extent(self.parts(e)) > self.limit
-    }
-
-    /// `e` with `by` steps less in the component along which the border is reached sooner.
-    #[inline(always)]
-    fn inwards(self, e: Vec2, by: f32) -> Vec2 {
+    fn is_along_x(self, e: Vec2) -> bool {
+        if self.x_bits == self.y_bits {
+            return e.x >= e.y;
+        }
         let p = self.parts(e);
         let (x, y) = (p.x * self.steps.y, p.y * self.steps.x);
         let weighed_x = if p.x >= p.y { 2.0 } else { 0.5 } * x;
-        let along_x = if self.sextant { weighed_x } else { x } >= y;
-        if along_x { Vec2::new(e.x - by, e.y) } else { Vec2::new(e.x, e.y - by) }
+        if self.sextant { weighed_x >= y } else { x >= y }
     }
 
     /// The whole numbers of a point of the positive quadrant, inside or, before rounding, on the border.
     #[inline(always)]
     pub(super) fn round(self, p: Vec2) -> Vec2 {
-        let x = floor(p.x * self.steps.x + 0.5);
-        let y = floor(p.y * self.steps.y + 0.5);
-        let e = Vec2::new(min(x, self.m.x), min(y, self.m.y));
-        let unwritten = self.is_outside(e) && self.is_outside(self.inwards(e, self.inset));
-        if unwritten { self.inwards(e, 1.0) } else { e }
+        let e = Vec2::new(floor(p.x * self.steps.x + 0.5), floor(p.y * self.steps.y + 0.5));
+        // Rounding exceeds m only where the steps are as fine as that of the length.
+        let e = if self.inset > 0.0 { e } else { Vec2::new(min(e.x, self.m.x), min(e.y, self.m.y)) };
+        let along_x = self.is_along_x(e);
+        // Points outside when moved are outside as they are.
+        let outside = self.extent(inwards(e, true, along_x, self.inset)) > self.limit;
+        inwards(e, outside, along_x, 1.0)
     }
 
     /// The point that whole numbers, not negative, stand for: not outside.
     #[inline(always)]
     pub(super) fn point(self, e: Vec2) -> Vec2 {
-        let inset = if self.is_outside(e) { self.inwards(e, self.inset) } else { e };
-        let onto_border = onto_border(self.extent(self.parts(e)));
+        let extent = self.extent(e);
+        let inset = inwards(e, extent > self.limit, self.is_along_x(e), self.inset);
+        let onto_border = onto_border(extent, self.half_unit);
         let below = Vec2::new(floor(e.x * onto_border), floor(e.y * onto_border));
-        self.parts(if self.is_outside(inset) { below } else { inset })
+        self.parts(if self.extent(inset) > self.limit { below } else { inset })
     }
+}
+
+/// `e` with `by` steps less in the component along which the border is reached sooner, if it `moves`.
+#[inline(always)]
+fn inwards(e: Vec2, moves: bool, along_x: bool, by: f32) -> Vec2 {
+    let less_x = if moves & along_x { by } else { 0.0 };
+    let less_y = if moves & !along_x { by } else { 0.0 };
+    Vec2::new(e.x - less_x, e.y - less_y)
 }

@@ -4,15 +4,8 @@ use super::plane::{INSET, Plane, onto_border};
 use super::{from_plane, pack, third, unit, unpack};
 use crate::arith::{half_decode_magnitude, half_encode_magnitude, is_negative, min, negate_positive};
 use crate::codec::{Codec, Width};
-use crate::direction::upper_or_z;
+use crate::direction::upper;
 use glam::{Vec2, Vec3};
-
-/// `v` at unit length, moved up to the equator if below it.
-#[inline(always)]
-fn upper_unit(v: Vec3) -> Vec3 {
-    let (v, norm) = upper_or_z(v);
-    unit(v, norm)
-}
 
 /// x and y as snorm in `BITS` bits (16, 24 or 32), for directions with z >= 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -39,9 +32,11 @@ where
 
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> u32 {
-        let n = upper_unit(v);
+        let (v, norm, usable) = upper(v);
+        let n = unit(v, norm);
         let e = Self::PLANE.round(Vec2::new(n.x.abs(), n.y.abs()));
-        pack(Self::PLANE, n, e, 0)[0]
+        let code = pack(Self::PLANE, n, e, 0)[0];
+        if usable { code } else { 0 }
     }
 
     #[inline(always)]
@@ -93,14 +88,15 @@ impl Codec for XyOnly32F {
 
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> u32 {
-        let n = upper_unit(v);
+        let (v, norm, usable) = upper(v);
+        let n = unit(v, norm);
         let (a, b) = (half_encode_magnitude(n.x), half_encode_magnitude(n.y));
         let unwritten = is_off_disk(halves(a, b)) && is_off_disk(halves_inset(a, b));
         let x = a - if unwritten && a >= b { 1 } else { 0 };
         let y = b - if unwritten && a < b { 1 } else { 0 };
         let x_sign = if is_negative(n.x) && x != 0 { 0x8000 } else { 0 };
         let y_sign = if is_negative(n.y) && y != 0 { 0x8000 } else { 0 };
-        (x | x_sign) | ((y | y_sign) << 16)
+        if usable { (x | x_sign) | ((y | y_sign) << 16) } else { 0 }
     }
 
     #[inline(always)]
@@ -109,7 +105,7 @@ impl Codec for XyOnly32F {
         let p = halves(a, b);
         let inset = if is_off_disk(p) { halves_inset(a, b) } else { p };
         let unit = Vec2::new(min(p.x, 1.0), min(p.y, 1.0));
-        let onto_border = onto_border(unit.x * unit.x + unit.y * unit.y);
+        let onto_border = onto_border(unit.x * unit.x + unit.y * unit.y, 0.5);
         let below = Vec2::new(half_below(unit.x * onto_border), half_below(unit.y * onto_border));
         let q = if is_off_disk(inset) { below } else { inset };
         Vec3::new(

@@ -1,0 +1,95 @@
+//! Kernels of one element on GPUs of all makers, by their compilers: `docs/data/gpus/*.json`, and the selection of them that
+//! ships, `host/choose/data/counted.csv`.
+
+#[cfg(feature = "glsl")]
+mod compiled;
+
+use super::{RENEW, kernels};
+use crate::docs::compare;
+use std::fmt::Write;
+use std::sync::LazyLock;
+use unitvec_catalogue::{CODECS, Operation};
+use unitvec_choose::costs::{GPUS, Gpu, KernelKind, Line, Report, Row, Source};
+use unitvec_lab::textbook::TEXTBOOK;
+use unitvec_tests::repository;
+
+/// The committed counts of each GPU.
+pub static COUNTED: LazyLock<Vec<(&Gpu, Report)>> =
+    LazyLock::new(|| GPUS.iter().map(|gpu| (gpu, committed(gpu))).collect());
+
+fn committed(gpu: &Gpu) -> Report {
+    let path = repository().join(gpu.path());
+    let json = std::fs::read(&path).unwrap_or_default();
+    Report::parse(&path, &json).unwrap_or_else(|error| panic!("{error}; {RENEW}"))
+}
+
+/// The instructions of a codec's kernel from GLSL as a multiple of `oct32`'s.
+pub fn ratio(report: &Report, id: &str, operation: Operation) -> Option<f64> {
+    report.ratio_to_oct32(report.row(id, operation, Source::Glsl)?)
+}
+
+/// Every kernel has a count on every GPU, of both editions and of the textbook's.
+#[test]
+fn counts_are_complete() {
+    for (gpu, report) in COUNTED.iter() {
+        assert_eq!(report.kernel, KernelKind::One, "{}", gpu.name);
+        for (format, operation) in kernels() {
+            for source in [Source::Glsl, Source::Exact] {
+                let count = report.row(format.id, operation, source).and_then(|row| report.beyond_idle(row));
+                assert!(count.is_some(), "{} {operation} {source} on {}", format.id, gpu.name);
+            }
+        }
+        let of_textbooks = report.rows.iter().filter(|row| row.source == Source::Textbook).count();
+        assert_eq!(of_textbooks, 2 * TEXTBOOK.len(), "{}", gpu.name);
+    }
+}
+
+/// Octahedral codes cost no more than the textbook's on any GPU, precise encoders at most 0.62 of listing 3. AMD's GPUs have
+/// an instruction that converts and packs two snorms of 16 bits as the textbook wants them: there `oct32` encodes for more.
+#[test]
+fn octahedral_codes_cost_no_more_than_the_textbook() {
+    let mut found = String::new();
+    for (gpu, report) in COUNTED.iter() {
+        for (id, operation, most) in [
+            ("oct16", Operation::Encode, 1.0),
+            ("oct16", Operation::Decode, 1.0),
+            ("oct32", Operation::Encode, if gpu.line == Line::Radeon { 1.3 } else { 1.0 }),
+            ("oct32", Operation::Decode, 1.0),
+            ("oct16p", Operation::Encode, 0.7),
+            ("oct32p", Operation::Encode, 0.62),
+        ] {
+            let count = |source| {
+                let rows =
+                    report.rows.iter().filter(|row| (row.id.as_str(), row.operation) == (id, operation));
+                let is_same = |row: &&Row| match &row.textbook {
+                    Some(textbook) => textbook == id,
+                    None => source != Source::Textbook,
+                };
+                let row = rows.filter(|row| row.source == source).find(is_same);
+                row.and_then(|row| report.beyond_idle(row)).unwrap()
+            };
+            let of_textbook = count(Source::Glsl) / count(Source::Textbook);
+            if of_textbook > most {
+                let _ = writeln!(found, "{id} {operation} on {}: {of_textbook:.2}", gpu.title);
+            }
+        }
+    }
+    assert!(found.is_empty(), "{found}");
+}
+
+/// The selection that ships has the counts' ratios, encoding and decoding for each GPU.
+#[test]
+fn the_shares_are_current() {
+    let names: Vec<&str> = GPUS.iter().map(|gpu| gpu.name).collect();
+    let mut text = format!("codec,operation,{}\n", names.join(","));
+    for codec in CODECS.iter() {
+        for operation in Operation::ALL {
+            let of = |(_, report): &(_, _)| {
+                ratio(report, codec.id, operation).map_or(String::new(), |it| format!("{it:.4}"))
+            };
+            let row: Vec<String> = COUNTED.iter().map(of).collect();
+            let _ = writeln!(text, "{},{operation},{}", codec.id, row.join(","));
+        }
+    }
+    compare(&repository().join("host/choose/data/counted.csv"), &text);
+}
