@@ -2,6 +2,7 @@
 
 use super::tables::is_shown;
 use super::{compare, markdown_table};
+use crate::isa::gpus::{COUNTED, ratio};
 use crate::isa::{committed, stages};
 use serde_json::Value;
 use std::sync::LazyLock;
@@ -9,6 +10,7 @@ use unitvec_catalogue::{AnyCodec, CODECS, Operation};
 use unitvec_choose::MEASURED;
 use unitvec_choose::costs::{GENERATIONS, Generation, Report, Row, Source, find_gpu};
 use unitvec_lab::isa::pareto;
+use unitvec_lab::textbook::TEXTBOOK;
 use unitvec_tests::repository;
 
 /// The reports of [`MEASURED`].
@@ -133,6 +135,70 @@ pub fn vector_instructions(id: &str, operation: Operation) -> Option<f64> {
     rdna2().row(id, operation, Source::Glsl)?.vector_instructions
 }
 
+/// The GPUs of the table of recommended codecs.
+const SHOWN: [&str; 10] =
+    ["navi21", "gfx1201", "tgl", "dg2", "sm_75", "sm_86", "a730", "g52", "g610", "v3d42"];
+
+/// Costs of both operations on GPUs of all makers, as multiples of `oct32`'s: of the recommended codecs with the textbook's
+/// functions on some, or of all codecs on all.
+pub fn gpus(rows: &str) -> String {
+    let is_all = rows != "recommended";
+    let shown: Vec<_> = COUNTED.iter().filter(|(gpu, _)| is_all || SHOWN.contains(&gpu.name)).collect();
+    let titles: Vec<&str> = shown.iter().map(|(gpu, _)| gpu.title).collect();
+    let line = |name: &str, source, id: &str, textbook: Option<&str>| {
+        let of = |report: &Report, operation| {
+            let is_it = |row: &&Row| {
+                (row.id.as_str(), row.operation, row.source, row.textbook.as_deref())
+                    == (id, operation, source, textbook)
+            };
+            report.ratio_to_oct32(report.rows.iter().find(is_it)?)
+        };
+        let cells: Vec<String> =
+            shown.iter().map(|(_, report)| pair(1, |operation| of(report, operation))).collect();
+        format!("{name} | {}", cells.join(" | "))
+    };
+    let codecs = CODECS.iter().map(|format| format.id).filter(|id| is_all || is_shown(rows, id));
+    let codecs = codecs.map(|id| line(&format!("`{id}`"), Source::Glsl, id, None));
+    let textbooks = TEXTBOOK.iter().filter(|one| is_all || one.id == one.codec && is_shown(rows, one.codec));
+    let textbooks = textbooks
+        .map(|one| line(&format!("textbook `{}`", one.id), Source::Textbook, one.codec, Some(one.id)));
+    markdown_table(&format!("encode / decode | {}", titles.join(" | ")), codecs.chain(textbooks))
+}
+
+/// The pairs of recommended codecs whose order by cost is another than on RDNA 2, by a tenth on both.
+pub fn order() -> String {
+    let codecs: Vec<&str> =
+        CODECS.iter().map(|format| format.id).filter(|id| is_shown("recommended", id)).collect();
+    let of = |gpu: &str, id: &str, operation| {
+        let (_, report) = COUNTED.iter().find(|(one, _)| one.name == gpu)?;
+        ratio(report, id, operation)
+    };
+    let rows = SHOWN.iter().skip(1).map(|gpu| {
+        let changed = |operation| {
+            let pairs = codecs.iter().flat_map(|a| codecs.iter().map(move |b| (*a, *b)));
+            let is_other = |(a, b): &(&str, &str)| {
+                let less = |gpu: &str, a: &str, b: &str| {
+                    Some(1.1 * of(gpu, a, operation)? <= of(gpu, b, operation)?)
+                };
+                less("navi21", a, b) == Some(true) && less(gpu, b, a) == Some(true)
+            };
+            let found: Vec<String> = pairs.filter(is_other).map(|(a, b)| format!("`{b}` < `{a}`")).collect();
+            if found.is_empty() { "as there".to_owned() } else { found.join(", ") }
+        };
+        let [encode, decode] = Operation::ALL.map(changed);
+        format!("{} | {encode} | {decode}", find_gpu(gpu).unwrap().title)
+    });
+    markdown_table("GPU | encode | decode", rows)
+}
+
+/// The compilers of the counts.
+pub fn counters() -> String {
+    let rows = COUNTED.iter().map(|(gpu, report)| {
+        format!("{} | {} | `{}` | {}", gpu.title, gpu.series, gpu.name, report.device.driver)
+    });
+    markdown_table("GPU | in | name | compiler", rows)
+}
+
 /// The price of exact kernels on RDNA 2, beside plain ones, both from Rust: vector instructions of a vector, and T.
 pub fn exact() -> String {
     let shown = CODECS.iter().map(|format| format.id).filter(|id| is_shown("recommended", id)).map(|id| {
@@ -159,8 +225,10 @@ pub fn stages() -> String {
     let rows = stages::WAYS.iter().map(|way| {
         let stages::Way(place, format, ours, textbook) = way;
         let cells = reports.each_ref().map(|report| {
-            let of =
-                |expression: &str| way.beyond_idle(report, expression, |row| row.instructions).to_string();
+            let of = |expression: &str| {
+                let count = way.beyond_idle(report, expression, |row| row.instructions);
+                count.map_or_else(|| "-".to_owned(), |count| count.to_string())
+            };
             format!("{} / {}", of(ours), textbook.map_or_else(|| "-".to_owned(), of))
         });
         format!("{place} | `{:?}` | `{ours}` | {}", format.raw, cells.join(" | "))
@@ -177,10 +245,15 @@ pub fn compilers() -> String {
     markdown_table("generation | GPU | compiler", rows)
 }
 
-/// The chart of error against cost shows the committed figures.
+/// The charts of error against cost show the committed figures, on RDNA 2 and on a GPU of each other maker.
 #[test]
 fn the_chart_is_current() {
     compare(&repository().join("docs/pareto.svg"), &pareto::svg(rdna2()).unwrap());
+    for (gpu, report) in
+        COUNTED.iter().filter(|(gpu, _)| ["dg2", "sm_86", "a730", "g610", "v3d42"].contains(&gpu.name))
+    {
+        compare(&repository().join(format!("docs/pareto_{}.svg", gpu.name)), &pareto::svg(report).unwrap());
+    }
 }
 
 /// The chart names the codecs on its fronts, and nothing else.

@@ -100,6 +100,20 @@ impl Gpu {
     }
 }
 
+/// A selection of the counts: a row a codec and operation, a column a GPU, as multiples of `oct32`'s.
+const COUNTED: &str = include_str!("../data/counted.csv");
+
+/// The costs of the kernels of one element from GLSL, as multiples of `oct32`'s.
+pub(crate) fn counted(gpu: &Gpu) -> impl Iterator<Item = (String, Operation, f64)> {
+    let mut lines = COUNTED.lines();
+    let column = lines.next().and_then(|titles| titles.split(',').position(|title| title == gpu.name));
+    lines.filter_map(move |line| {
+        let cells: Vec<&str> = line.split(',').collect();
+        let operation = Operation::ALL.into_iter().find(|one| one.to_string() == cells[1])?;
+        Some((cells[0].to_owned(), operation, cells.get(column?)?.parse().ok()?))
+    })
+}
+
 /// The default generation of costs.
 pub const USUAL: &str = "rdna2";
 

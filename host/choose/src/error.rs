@@ -1,5 +1,5 @@
 use crate::MEASURED;
-use crate::costs::GENERATIONS;
+use crate::costs::{GENERATIONS, GPUS, Line};
 use std::path::PathBuf;
 
 /// A result with this crate's [`Error`].
@@ -49,20 +49,24 @@ fn maker(name: &str) -> Option<&'static str> {
 }
 
 fn unknown(name: &str) -> String {
-    if let Some(maker) = maker(name) {
-        return format!(
-            "no costs of {maker}'s `{name}` ship with the program, only those of AMD's GPUs, of {}: leave --gpu out to go by \
-             RDNA 2's, or measure yours by `unitvec bench device --device NAME --json costs.json`, in a build with --features glsl, and name \
-             the file after --costs",
-            measured()
-        );
-    }
     let known = GENERATIONS.map(|one| format!("{} ({}: {})", one.name, one.gpu, one.series));
+    let others = GPUS.iter().filter(|gpu| gpu.line != Line::Radeon);
+    let others: Vec<String> =
+        others.map(|gpu| format!("{} ({}: {})", gpu.name, gpu.title, gpu.series)).collect();
+    let advice = match maker(name) {
+        Some(maker) => format!(
+            "name one near to {maker}'s, or measure yours by `unitvec bench device --device NAME --json FILE`, in a build with \
+             --features glsl, and name the file after --costs"
+        ),
+        None => format!(
+            "--costs takes a report of another AMD GPU, by `unitvec bench compiler --gpu {name} --json FILE`, or of a GPU that is \
+             here, by `unitvec bench compiler --device NAME --json FILE`"
+        ),
+    };
     format!(
-        "no costs of a GPU `{name}` ship with the program; --gpu takes {}, {}; --costs takes a report of another AMD \
-         GPU, by `unitvec bench compiler --gpu {name} --json FILE`, or of a GPU that is here, by `unitvec bench compiler --device \
-         NAME --json FILE`",
+        "no costs of a GPU `{name}` ship with the program; --gpu takes {}, {}, {}; {advice}",
         known.join(", "),
+        others.join(", "),
         measured()
     )
 }

@@ -69,13 +69,17 @@ pub const MEASURED: [(&str, &[u8]); 2] = [
 ];
 
 impl Costs {
-    /// The costs on a generation of GPUs, by the name of either, or on one of [`MEASURED`]: they ship with the program.
+    /// The costs on a generation of GPUs, by the name of either, on another of [`costs::GPUS`], or on one of [`MEASURED`]: they
+    /// ship with the program.
     ///
     /// # Errors
     /// [`Error::UnknownGpu`]; [`Error::BadCosts`], which would be a fault of this crate.
     pub fn shipped(name: &str) -> Result<Self> {
         if let Some(generation) = costs::find_generation(name) {
             return Self::compiled(&generation.path(), &generation.shipped()?);
+        }
+        if let Some(gpu) = costs::find_gpu(name) {
+            return Ok(Self::new(format!("{} ({})", gpu.title, gpu.name), costs::counted(gpu)));
         }
         let measured = MEASURED.iter().find(|(known, _)| name.eq_ignore_ascii_case(known));
         let (name, report) = measured.ok_or_else(|| Error::UnknownGpu(name.to_owned()))?;
@@ -101,13 +105,13 @@ impl Costs {
         Ok(Self::new(report.device.name, rows.filter_map(ratio)))
     }
 
-    /// Reads costs as inverse throughput, for the kernels from GLSL.
+    /// Reads costs for the kernels from GLSL, as inverse throughput or, of kernels of one element, as instructions.
     fn compiled(path: &Path, report: &costs::Report) -> Result<Self> {
         let rows = report.rows.iter().filter(|row| row.source == costs::Source::Glsl);
         let ratio = |row: &costs::Row| Some((row.id.clone(), row.operation, report.ratio_to_oct32(row)?));
         let costs = Self::new(report.subject(), rows.filter_map(ratio));
         if costs.by_codec.is_empty() {
-            let reason = format!("it has no inverse throughput of {REFERENCE}, which costs are multiples of");
+            let reason = format!("it has no cost of {REFERENCE}, which others are multiples of");
             return Err(Error::BadCosts { path: path.to_owned(), reason });
         }
         Ok(costs)

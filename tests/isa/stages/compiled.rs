@@ -4,9 +4,10 @@ use super::{ATTRIBUTE, GPUS, WAYS, WRITTEN, Way, file};
 use crate::isa::apart;
 use unitvec_catalogue::Operation;
 use unitvec_choose::costs::{Row, Source};
+use unitvec_lab::Error;
 use unitvec_lab::isa::{Asked, counted};
 use unitvec_run::glsl::{Compiler, ENTRY_POINT, Shader, Stage};
-use unitvec_vulkan::{ImageFormat, PipelineOptions};
+use unitvec_vulkan::{Error as VulkanError, ImageFormat, PipelineOptions};
 
 const COMPILE: &str = "isa::stages::compiled::compile";
 
@@ -45,7 +46,7 @@ fn compile() {
         for way in &WAYS {
             for expression in [way.idle(), way.2].into_iter().chain(way.3) {
                 if !rows.iter().any(|row| row.id == way.row_id(expression)) {
-                    rows.push(row(asked, compiler, way, expression));
+                    rows.extend(row(asked, compiler, way, expression));
                 }
             }
         }
@@ -53,7 +54,8 @@ fn compile() {
     });
 }
 
-fn row(asked: &Asked<'_>, compiler: &Compiler, way: &Way, expression: &str) -> Row {
+/// `None` where the GPU does not draw to the format.
+fn row(asked: &Asked<'_>, compiler: &Compiler, way: &Way, expression: &str) -> Option<Row> {
     let Way(place, format, ..) = way;
     let (is_vertex, is_written) = (*place == ATTRIBUTE, *place == WRITTEN);
     let [written, read, texture] = format.types;
@@ -71,10 +73,13 @@ fn row(asked: &Asked<'_>, compiler: &Compiler, way: &Way, expression: &str) -> R
     let options =
         PipelineOptions { vertex: shader(&vertex), fragment: shader(&pixel), attributes, points: false };
     let target = if is_written { format.raw } else { ImageFormat::R32G32B32A32_SFLOAT };
-    let [of_vertex, of_pixel] = asked.stages(&[target], &options).unwrap();
+    let [of_vertex, of_pixel] = match asked.stages(&[target], &options) {
+        Err(Error::Run(unitvec_run::Error::Vulkan(VulkanError::UnsupportedFormat { .. }))) => return None,
+        found => found.unwrap(),
+    };
     let statistics = if is_vertex { of_vertex } else { of_pixel };
     let operation = if is_written { Operation::Encode } else { Operation::Decode };
-    counted(Row::new(&way.row_id(expression), operation, Source::Glsl), &statistics)
+    Some(counted(Row::new(&way.row_id(expression), operation, Source::Glsl), &statistics))
 }
 
 /// Each expression is compiled again for the GPU whose driver most have, and its cost matches the record.

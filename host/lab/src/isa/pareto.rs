@@ -1,7 +1,7 @@
 //! Error against cost as a chart. A codec on the front has a name: none of its size has less of one without more of the
 //! other.
 
-use super::{Report, Source};
+use super::{KernelKind, Report, Source};
 use crate::accuracy::chart::degrees;
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -25,7 +25,7 @@ const SIZES: [Size; 4] = [
 pub struct Point {
     /// The codec.
     pub codec: &'static AnyCodec,
-    /// The codec's inverse throughput.
+    /// The codec's inverse throughput, or its instructions in a kernel of one element.
     pub cost: f64,
     /// Upper bound of the codec's error, degrees.
     pub error_deg: f64,
@@ -35,7 +35,11 @@ pub struct Point {
 pub fn points(report: &Report, operation: Operation) -> Vec<Point> {
     let codecs = vectors().iter().filter(|codec| codec.is_unit && codec.domain == Domain::Sphere);
     let point = |codec: &'static AnyCodec| {
-        let cost = report.row(codec.id, operation, Source::Glsl)?.inverse_throughput? as f64;
+        let row = report.row(codec.id, operation, Source::Glsl)?;
+        let cost = match report.kernel {
+            KernelKind::Four => row.inverse_throughput? as f64,
+            KernelKind::One => report.beyond_idle(row)?,
+        };
         Some(Point { codec, cost, error_deg: f64::from(codec.max_error_deg()) })
     };
     let mut points: Vec<Point> = codecs.filter_map(point).collect();
@@ -60,7 +64,10 @@ const SIZE: (u32, u32) = (900, 1000);
 const DEGREES: std::ops::Range<f64> = 2e-6..30.0;
 
 /// Costs with a number below them.
-const COST_LABELS: [f64; 10] = [100.0, 150.0, 200.0, 300.0, 400.0, 600.0, 800.0, 1200.0, 1600.0, 2400.0];
+const COST_LABELS: [f64; 17] = [
+    10.0, 15.0, 20.0, 30.0, 40.0, 60.0, 80.0, 100.0, 150.0, 200.0, 300.0, 400.0, 600.0, 800.0, 1200.0,
+    1600.0, 2400.0,
+];
 
 /// Draws an SVG of two panels, decoding and encoding.
 ///
@@ -77,7 +84,11 @@ pub fn svg(report: &Report) -> Result<String, Box<dyn Error>> {
             [(&decode, Operation::Decode, "Decoding"), (&encode, Operation::Encode, "Encoding")]
         {
             let caption = format!("{name}: bound of the error over cost on {gpu}");
-            draw(area, &caption, &points(report, operation))?;
+            let cost = match report.kernel {
+                KernelKind::Four => "inverse throughput: cycles for 64 invocations of four vectors",
+                KernelKind::One => "instructions of one vector",
+            };
+            draw(area, (&caption, cost), &points(report, operation))?;
         }
         root.present()?;
     }
@@ -86,7 +97,7 @@ pub fn svg(report: &Report) -> Result<String, Box<dyn Error>> {
 
 fn draw(
     area: &DrawingArea<SVGBackend<'_>, Shift>,
-    caption: &str,
+    (caption, cost): (&str, &str),
     points: &[Point],
 ) -> Result<(), Box<dyn Error>> {
     let range = costs(points);
@@ -101,7 +112,7 @@ fn draw(
         .configure_mesh()
         .x_labels(COST_LABELS.len())
         .x_label_formatter(&|cost| format!("{cost:.0}"))
-        .x_desc("inverse throughput: cycles for 64 invocations of four vectors")
+        .x_desc(cost)
         .y_label_formatter(&degrees)
         .y_desc("degrees")
         .light_line_style(WHITE)

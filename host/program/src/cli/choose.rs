@@ -42,7 +42,9 @@ pub struct Arguments {
     /// Weights of encoding and of decoding in the cost: 0,1 for what is encoded once and decoded often.
     #[arg(long, value_name = "E,D", allow_hyphen_values = true, default_value = "1,1", value_parser = weights)]
     weights: [f64; 2],
-    /// GPU whose costs to choose by, by generation or code name (rdna2, navi21); or one that was measured, h200 or lavapipe.
+    /// GPU whose costs to choose by: AMD's by generation or code name (rdna2, navi21), one of another maker whose compiler was asked
+    /// (dg2, sm_86, a730, g610, v3d42), or one that was measured, h200 or lavapipe. The order of codecs of equal size may change
+    /// from GPU to GPU.
     #[arg(long, value_name = "NAME", default_value = USUAL)]
     gpu: String,
     /// Costs to choose by instead: a report that `unitvec bench device --json FILE` or `unitvec bench compiler --json FILE` wrote.

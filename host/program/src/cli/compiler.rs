@@ -20,12 +20,13 @@ use unitvec_vulkan::{DeviceInfo, Inspector};
 
 #[derive(Args)]
 pub struct Arguments {
-    /// Ask the compiler of Mesa's driver RADV for an AMD GPU, which need not be there. A code name as RADV has it (navi21), or a
-    /// generation (gcn4, gcn5, rdna2, rdna3, rdna4). Without it, the compiler of --device, whose driver has to have
+    /// Ask the compiler for a GPU that need not be there: for AMD's that of Mesa's driver RADV, by a code name as RADV has it
+    /// (navi21) or a generation (gcn4, gcn5, rdna2, rdna3, rdna4); for skl, tgl, dg2, bmg, sm_75, sm_86, sm_120, a630, a730, g52, g610,
+    /// v3d42 those that `cargo xtask renew costs` builds. Without it, the compiler of --device, whose driver has to have
     /// VK_KHR_pipeline_executable_properties.
     #[arg(long, value_name = "NAME")]
     gpu: Option<String>,
-    /// With --gpu: the file of the RADV to ask, radeon_icd*.json, instead of the system's; or the variable UNITVEC_RADV_ICD.
+    /// With --gpu: the file of the driver to ask instead; for AMD's GPUs radeon_icd*.json, or the variable UNITVEC_RADV_ICD.
     #[arg(long, value_name = "FILE", requires = "gpu")]
     driver: Option<PathBuf>,
     /// Kernels: of one element an invocation, with aligned reads and writes, or of four, as they ship.
