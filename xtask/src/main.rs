@@ -3,6 +3,7 @@
 //!
 //! No dependencies, so that it starts at once on a fresh machine.
 
+mod compilers;
 mod dist;
 mod drivers;
 mod examples;

@@ -44,8 +44,9 @@ fn counts_are_complete() {
     }
 }
 
-/// Octahedral codes cost no more than the textbook's on any GPU, precise encoders at most 0.62 of listing 3. AMD's GPUs have
-/// an instruction that converts and packs two snorms of 16 bits as the textbook wants them: there `oct32` encodes for more.
+/// Octahedral codes cost no more than the textbook's on any GPU, precise encoders at most 0.5 and 0.65 of listing 3. AMD's
+/// GPUs have an instruction that converts and packs two snorms of 16 bits as the textbook wants them: there `oct32` encodes for
+/// more, the most on GCN 4, which has no packed arithmetic.
 #[test]
 fn octahedral_codes_cost_no_more_than_the_textbook() {
     let mut found = String::new();
@@ -53,10 +54,10 @@ fn octahedral_codes_cost_no_more_than_the_textbook() {
         for (id, operation, most) in [
             ("oct16", Operation::Encode, 1.0),
             ("oct16", Operation::Decode, 1.0),
-            ("oct32", Operation::Encode, if gpu.line == Line::Radeon { 1.3 } else { 1.0 }),
+            ("oct32", Operation::Encode, if gpu.line == Line::Radeon { 1.5 } else { 1.0 }),
             ("oct32", Operation::Decode, 1.0),
-            ("oct16p", Operation::Encode, 0.7),
-            ("oct32p", Operation::Encode, 0.62),
+            ("oct16p", Operation::Encode, 0.65),
+            ("oct32p", Operation::Encode, 0.5),
         ] {
             let count = |source| {
                 let rows =

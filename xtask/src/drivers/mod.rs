@@ -1,6 +1,5 @@
 //! `cargo xtask conform --drivers`: `unitvec conform` on every Vulkan driver of this machine, each by itself.
 
-pub mod compilers;
 pub mod debian;
 
 use crate::{cache, take, write};

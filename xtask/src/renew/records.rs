@@ -6,8 +6,8 @@
 
 use super::state::matches;
 use crate::{
-    built, cache, cargo, conform, drivers, integration, interop, languages, npm, processors, program, python,
-    repository, run, shaders, spirv, web, windows, write,
+    built, cache, cargo, compilers, conform, drivers, integration, interop, languages, npm, processors,
+    program, python, repository, run, shaders, spirv, web, windows, write,
 };
 use std::ffi::{OsStr, OsString};
 use std::fs;
@@ -227,7 +227,7 @@ pub static RECORDS: &[Record] = &[
             KERNELS,
             GLSL,
             &[Code(
-                "glsl/textbook/* tests/isa/dithered/kernel.comp tests/isa/stages/*.rs host/lab/src/isa/one* host/lab/src/isa/kernel.cuh host/lab/src/isa/cuda.rs xtask/src/drivers/compilers.rs",
+                "glsl/textbook/* tests/isa/dithered/kernel.comp tests/isa/stages/*.rs host/lab/src/isa/one* host/lab/src/isa/kernel.cuh host/lab/src/isa/cuda.rs xtask/src/compilers.rs",
             )],
         ],
         minutes: 12,
@@ -240,7 +240,7 @@ pub static RECORDS: &[Record] = &[
             };
             let tests = ["compiled", "gpus::compiled", "dithered::compiled", "stages::compiled"];
             let tests = tests.map(|name| format!("isa::{name}::renew"));
-            let compilers = drivers::compilers::build()?.into_os_string();
+            let compilers = compilers::build()?.into_os_string();
             by_tests(&tests, &[(drivers::NEWER_RADV, newer), ("UNITVEC_COMPILERS", compilers)])?;
             bless(&["isa::gpus::the_shares_are_current", "docs::costs::the_catalogue_is_current"])
         },

@@ -2,7 +2,7 @@
 //! answer in the kernel's place and which no package has, and NVIDIA's compiler of CUDA. `unitvec bench compiler` finds them in
 //! `target/compilers`.
 
-use super::debian::PACKAGED;
+use crate::drivers::debian::PACKAGED;
 use crate::languages::{Archive, NVCC};
 use crate::{cache, python, run, setup};
 use std::fs;
