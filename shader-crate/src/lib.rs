@@ -44,12 +44,12 @@
 //! |  | [`HemiOct24`] | less error than oct24p, at less cost | `R32_UINT` | 24 | 0.0149 / 0.0343 | traces | 1.1 / 1.0 |
 //! | two snorms and a sign bit | [`SOct17`] | hemioct16's error over the whole sphere | `R32_UINT` | 17 | 0.240 / 0.553 | bands | 1.0 / 1.1 |
 //! |  | [`SOct25`] | hemioct24's error over the whole sphere | `R32_UINT` | 25 | 0.0149 / 0.0343 | traces | 1.1 / 1.1 |
-//! | files: least maximum error for the bytes | [`Ico16`] | in 2 bytes | `R16_UINT` | 16 | 0.304 / 0.509 | bands | 9.5 / 3.9 |
-//! |  | [`Ico24`] | in 3 bytes | `R32_UINT` | 24 | 0.0188 / 0.0312 | traces | 9.6 / 4.0 |
-//! |  | [`Ico32`] | in 4 bytes | `R32_UINT` | 32 | 0.00117 / 0.00195 | nothing | 9.5 / 3.9 |
-//! | near the least error, at half of ico's cost | [`HexCube32`] | in 4 bytes | `R32_UINT` | 32 | 0.00118 / 0.00209 | nothing | 3.8 / 2.3 |
-//! |  | [`HexCube24`] | in 3 bytes | `R32_UINT` | 24 | 0.0189 / 0.0335 | traces | 3.9 / 2.3 |
-//! |  | [`HexCube16`] | in 2 bytes | `R16_UINT` | 16 | 0.304 / 0.546 | bands | 3.8 / 2.3 |
+//! | files: least maximum error for the bytes | [`Ico16`] | in 2 bytes | `R16_UINT` | 16 | 0.304 / 0.509 | bands | 9.5 / 3.6 |
+//! |  | [`Ico24`] | in 3 bytes | `R32_UINT` | 24 | 0.0188 / 0.0312 | traces | 9.6 / 3.7 |
+//! |  | [`Ico32`] | in 4 bytes | `R32_UINT` | 32 | 0.00117 / 0.00195 | nothing | 9.5 / 3.6 |
+//! | near the least error, at half of ico's cost | [`HexCube32`] | in 4 bytes | `R32_UINT` | 32 | 0.00118 / 0.00209 | nothing | 3.8 / 2.0 |
+//! |  | [`HexCube24`] | in 3 bytes | `R32_UINT` | 24 | 0.0189 / 0.0335 | traces | 3.9 / 2.1 |
+//! |  | [`HexCube16`] | in 2 bytes | `R16_UINT` | 16 | 0.304 / 0.546 | bands | 3.8 / 2.1 |
 //! | very few bits | [`OctPrecise8`] | in 1 byte | `R8_UINT` | 8 | 5.67 / 11.4 | bands | 6.9 / 1.1 |
 //! |  | [`OctPrecise12`] | leaves 4 bits of 2 bytes | `R16_UINT` | 12 | 1.29 / 2.61 | bands | 6.9 / 1.1 |
 //! | finer than 32 bits | [`OctPrecise48`] | leaves 16 bits of 8 bytes | `R32G32_UINT` | 48 | 4.80e-6 / 1.15e-5 | nothing | 9.0 / 4.5 |
