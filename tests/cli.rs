@@ -338,7 +338,7 @@ fn choose_goes_by_the_costs_it_is_given() {
     let row = json!({"id": "oct16", "operation": "encode", "source": "glsl", "inverse_throughput": 100});
     for (report, words) in [
         (json!({}), "is not a report of `unitvec bench --json`"),
-        (json!({"device": device, "sources": {}, "rows": [row]}), "no inverse throughput of oct32"),
+        (json!({"device": device, "sources": {}, "rows": [row]}), "no cost of oct32"),
     ] {
         std::fs::write(&costs, report.to_string()).unwrap();
         assert_fails(&mut command(choose), 1, &[words]);

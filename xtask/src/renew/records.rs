@@ -9,7 +9,7 @@ use crate::{
     built, cache, cargo, compilers, conform, drivers, integration, interop, languages, npm, processors,
     program, python, repository, run, shaders, spirv, web, windows, write,
 };
-use std::ffi::{OsStr, OsString};
+use std::ffi::OsString;
 use std::fs;
 use std::process::{Command, Stdio};
 
@@ -238,8 +238,12 @@ pub static RECORDS: &[Record] = &[
                 Some(file) => file,
                 None => drivers::newer_radv(&cache("drivers")?)?.into(),
             };
-            let tests = ["compiled", "gpus::compiled", "dithered::compiled", "stages::compiled"];
-            let tests = tests.map(|name| format!("isa::{name}::renew"));
+            let tests = [
+                "isa::compiled::renew",
+                "isa::gpus::compiled::renew",
+                "isa::dithered::compiled::renew",
+                "isa::stages::compiled::renew",
+            ];
             let compilers = compilers::build()?.into_os_string();
             by_tests(&tests, &[(drivers::NEWER_RADV, newer), ("UNITVEC_COMPILERS", compilers)])?;
             bless(&["isa::gpus::the_shares_are_current", "docs::costs::the_catalogue_is_current"])
@@ -493,7 +497,7 @@ fn bless(tests: &[&str]) -> Result<(), String> {
     by_tests(tests, &[("BLESS", "1".into())])
 }
 
-fn by_tests(tests: &[impl AsRef<OsStr>], variables: &[(&str, OsString)]) -> Result<(), String> {
+fn by_tests(tests: &[&str], variables: &[(&str, OsString)]) -> Result<(), String> {
     built(&mut integration(&["--no-run"]))?;
     // Tests that measure are ignored otherwise.
     let mut command = integration(&["--", "--exact", "--nocapture", "--include-ignored"]);

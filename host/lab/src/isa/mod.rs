@@ -46,7 +46,7 @@ impl<'a> Asked<'a> {
     pub fn statistics(&self, division: Division, module: &[u8], entry_point: &str) -> Result<Statistics> {
         let (found, said) = self.said.during(|| self.inspector.statistics(division, module, entry_point));
         let mut found = found?;
-        found.extend(stand_in::shader_db(&said, "COMPUTE"));
+        found.extend(stand_in::shader_db(&said, &["COMPUTE"]));
         Ok(found)
     }
 
@@ -57,8 +57,10 @@ impl<'a> Asked<'a> {
     pub fn stages(&self, colours: &[ImageFormat], options: &PipelineOptions<'_>) -> Result<[Statistics; 2]> {
         let (found, said) = self.said.during(|| self.inspector.stages(colours, options));
         let mut found = found?;
-        for (statistics, stage) in found.iter_mut().zip(["VERTEX", "FRAGMENT"]) {
-            statistics.extend(stand_in::shader_db(&said, stage));
+        // Mali computes positions apart from the vertex shader's other outputs.
+        let stages: [&[&str]; 2] = [&["VERTEX", "POSITION", "VARYING"], &["FRAGMENT"]];
+        for (statistics, parts) in found.iter_mut().zip(stages) {
+            statistics.extend(stand_in::shader_db(&said, parts));
         }
         Ok(found)
     }

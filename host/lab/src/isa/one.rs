@@ -112,7 +112,7 @@ pub fn counted(row: Row, statistics: &Statistics) -> Row {
     let classes =
         CLASSES.iter().filter_map(|(name, class)| Some(((*class).to_owned(), *statistics.get(*name)?)));
     Row {
-        instructions: of(&["VALU", "arith", "inst", "Instruction Count"])
+        instructions: of(&["VALU", "arith", "inst", "Instruction Count", "Instructions"])
             .map(|count| count.saturating_sub(nops)),
         vector_registers: of(&["VGPRs", "Max live registers", "Registers used"]),
         code_bytes: of(&["Code size", "Code Size"]),

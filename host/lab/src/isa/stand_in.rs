@@ -258,12 +258,14 @@ impl Said {
     }
 }
 
-/// The statistics of a stage in the lines of Mali's compiler, numbers and names, summed over the stage's parts. Those of
+/// The statistics of a stage in the lines of Mali's compiler, numbers and names, summed over the stage's parts, which have
+/// these names. Those of
 /// its units are cycles, of so many instructions.
-pub fn shader_db(said: &str, stage: &str) -> Statistics {
+pub fn shader_db(said: &str, stages: &[&str]) -> Statistics {
     let mut statistics = Statistics::new();
-    let head = format!("SHADER-DB: MESA_SHADER_{stage} shader: ");
-    for entry in said.lines().filter_map(|line| line.strip_prefix(&head)).flat_map(|line| line.split(", ")) {
+    let parts = said.lines().filter_map(|line| line.strip_prefix("SHADER-DB: ")?.split_once(" shader: "));
+    let own = parts.filter(|(part, _)| stages.iter().any(|stage| part.ends_with(stage)));
+    for entry in own.flat_map(|(_, line)| line.split(", ")) {
         let Some((value, name)) = entry.split_once(' ') else { continue };
         let instructions = match name {
             "fma" | "cvt" => 64.0,
@@ -312,12 +314,12 @@ mod tests {
     #[test]
     fn lines_of_malis_compiler_are_read() {
         let said = "Unknown ioctl\nSHADER-DB: MESA_SHADER_COMPUTE shader: 207 inst, 40.000000 cycles, 0.687500 fma, 2.500000 sfu, 3:4 spills:fills\n";
-        let found = shader_db(said, "COMPUTE");
+        let found = shader_db(said, &["COMPUTE"]);
         let of = |name: &str| found.get(name).copied();
         assert_eq!(
             (of("inst"), of("fma"), of("sfu"), of("spills:fills")),
             (Some(207), Some(44), Some(40), Some(3))
         );
-        assert!(shader_db(said, "VERTEX").is_empty());
+        assert!(shader_db(said, &["VERTEX"]).is_empty());
     }
 }
