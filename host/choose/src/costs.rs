@@ -34,9 +34,9 @@ pub struct Generation {
 pub enum Line {
     /// AMD Radeon.
     Radeon,
-    /// Intel's.
+    /// Intel HD Graphics, Iris and Arc.
     Intel,
-    /// NVIDIA's.
+    /// NVIDIA GeForce.
     Nvidia,
     /// Qualcomm Adreno.
     Adreno,
@@ -185,7 +185,7 @@ pub enum Source {
     Glsl,
     /// GLSL as people write it from the papers' formulas.
     Textbook,
-    /// GLSL without a codec, which adds the components of what it reads: what [`KernelKind::One`] reads and writes costs.
+    /// GLSL without a codec, which adds the components that it reads: the work of [`KernelKind::One`] besides the codec's.
     Idle,
 }
 
@@ -355,7 +355,7 @@ impl Report {
     }
 }
 
-/// What a kernel of one element reads and writes besides the other operation's: `vector32`, of a vector and a word of code.
+/// The kind of element, and the bits of code, that a kernel of one element reads and writes: `vector32`.
 pub fn shape(codec: &AnyCodec) -> String {
     format!("{:?}{}", codec.element, if codec.bytes > 4 { 64 } else { 32 }).to_lowercase()
 }

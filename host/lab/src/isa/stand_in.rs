@@ -94,9 +94,15 @@ pub(super) fn compilers() -> PathBuf {
     std::env::var_os(COMPILERS).map_or_else(|| BUILT.into(), PathBuf::from)
 }
 
-/// A GPU's driver: its title, which the device's name has; its folder among [`compilers`]; the variable that names the GPU,
-/// and the value.
-struct Driver(&'static str, Option<&'static str>, &'static str, String);
+/// A GPU's driver.
+struct Driver {
+    /// A word in the name of its device.
+    title: &'static str,
+    /// Its folder among [`compilers`], with the shim; `None` for the system's, which needs none.
+    folder: Option<&'static str>,
+    /// The variable that names the GPU, and its value.
+    variable: (&'static str, String),
+}
 
 impl Driver {
     fn of(gpu: &str) -> Self {
@@ -108,15 +114,16 @@ impl Driver {
             "g610" => "a867".to_owned(),
             _ => code_name(gpu),
         };
-        match known.map_or(Line::Radeon, |gpu| gpu.line) {
-            Line::Intel => Self("Intel", Some("intel"), "INTEL_STUB_GPU_PLATFORM", value),
-            Line::Adreno => Self("Turnip", Some("freedreno"), "FD_GPU_ID", value),
-            Line::Mali => Self("Mali", Some("panfrost"), "PAN_GPU_ID", value),
+        let (title, folder, variable) = match known.map_or(Line::Radeon, |gpu| gpu.line) {
+            Line::Intel => ("Intel", Some("intel"), "INTEL_STUB_GPU_PLATFORM"),
+            Line::Adreno => ("Turnip", Some("freedreno"), "FD_GPU_ID"),
+            Line::Mali => ("Mali", Some("panfrost"), "PAN_GPU_ID"),
             // Its shim stands in for one GPU, and reads no variable.
-            Line::VideoCore => Self("V3D", Some("broadcom"), "V3D_GPU_ID", value),
+            Line::VideoCore => ("V3D", Some("broadcom"), "V3D_GPU_ID"),
             // NVIDIA's compiler is no driver of Vulkan.
-            Line::Radeon | Line::Nvidia => Self("RADV", None, "RADV_FORCE_FAMILY", value),
-        }
+            Line::Radeon | Line::Nvidia => ("RADV", None, "RADV_FORCE_FAMILY"),
+        };
+        Self { title, folder, variable: (variable, value) }
     }
 }
 
@@ -134,7 +141,7 @@ impl StandIn {
     /// [`Error::NotInstalled`], [`Error::NotBuilt`] or [`Error::NoSuchDriver`].
     pub fn new(gpu: &str, file: Option<&Path>) -> Result<Self, Error> {
         let driver = Driver::of(gpu);
-        let file = match (file, driver.1) {
+        let file = match (file, driver.folder) {
             (Some(path), _) => {
                 let found = path.canonicalize();
                 found.map_err(|source| Error::NoSuchDriver { path: path.to_owned(), source })?
@@ -185,7 +192,7 @@ impl StandIn {
     pub fn prepare(&self, command: &mut Command) -> Result<NamedTempFile, Error> {
         let said = NamedTempFile::new().map_err(Error::NotStarted)?;
         command.envs(self.environment()).env_remove("UNITVEC_DEVICE");
-        if self.driver.1.is_some() {
+        if self.driver.folder.is_some() {
             command.env(SAID, said.path()).stderr(said.reopen().map_err(Error::NotStarted)?);
         }
         Ok(said)
@@ -195,10 +202,10 @@ impl StandIn {
     fn probe(&self) -> Result<(), Error> {
         let output = self.here()?.arg("devices").stdin(Stdio::null()).output().map_err(Error::NotStarted)?;
         let said = String::from_utf8_lossy(&output.stderr);
-        let (driver, title) = (self.file.clone(), self.driver.0);
+        let (driver, title) = (self.file.clone(), self.driver.title);
         let reason = if !output.status.success() {
             if said.contains("Unknown family") {
-                return Err(Error::UnknownGpu { gpu: self.driver.3.clone(), driver });
+                return Err(Error::UnknownGpu { gpu: self.driver.variable.1.clone(), driver });
             }
             said.lines().last().unwrap_or("it ends the program").trim_start_matches("unitvec: ").to_owned()
         } else if String::from_utf8_lossy(&output.stdout).contains(title) {
@@ -217,7 +224,7 @@ impl StandIn {
 
     /// The variables. Older loaders know the first name of the driver's file, newer ones the second as well.
     fn environment(&self) -> Vec<(&'static str, OsString)> {
-        let Driver(_, folder, variable, value) = &self.driver;
+        let Driver { folder, variable: (variable, value), .. } = &self.driver;
         let file = self.file.as_os_str();
         let mut variables = vec![
             ("VK_ICD_FILENAMES", file.to_owned()),
