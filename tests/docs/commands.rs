@@ -20,11 +20,14 @@ const SHORTER: [(&str, &[&str]); 5] = [
 ];
 
 /// Lines that something else runs: how they begin, and what does.
-const ELSEWHERE: [(&str, &str); 9] = [
+const ELSEWHERE: [(&str, &str); 12] = [
     ("cargo install", "cargo xtask packages"),
     ("cargo xtask spirv --cost", "cargo xtask renew lavapipe; here `cost_kernels` stands for it"),
     ("glslangValidator -V -D", "tests/link.rs"),
     ("unitvec accuracy", "tests/accuracy.rs"),
+    ("cargo xtask renew costs", "whoever renews them: it builds drivers for minutes"),
+    ("unitvec bench compiler --gpu a730", "cargo xtask renew costs"),
+    ("unitvec bench compiler --gpu dg2", "cargo xtask renew costs"),
     ("unitvec bench compiler --device", "tests/isa: drivers that are not RADV's"),
     ("unitvec bench compiler --gpu rdna4", "cargo xtask renew costs: a newer RADV"),
     ("unitvec conform imprecise", "tests/imprecise.rs"),

@@ -25,6 +25,9 @@ pub fn compiled(
     let mut bench = command(["bench", "compiler", "--json", "-", "--gpu", gpu]);
     bench.args(["--kernel", if kernel == KernelKind::One { "one" } else { "four" }]);
     bench.args(["--codec", &ids.join(",")]);
+    if std::env::var_os("UNITVEC_COMPILERS").is_none() {
+        bench.env("UNITVEC_COMPILERS", repository().join("target/compilers"));
+    }
     match driver {
         Some(driver) => bench.arg("--driver").arg(driver),
         None => bench.env_remove("UNITVEC_RADV_ICD"),

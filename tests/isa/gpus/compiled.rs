@@ -13,6 +13,9 @@ use unitvec_tests::repository;
 /// The report of a GPU's compiler; AMD's GPUs have the newer driver's, which tells more.
 fn asked(gpu: &Gpu, codecs: impl IntoIterator<Item = &'static AnyCodec>) -> Result<Report, String> {
     let newer = std::env::var_os(NEWER_DRIVER).map(PathBuf::from).filter(|_| gpu.line == Line::Radeon);
+    if gpu.line == Line::Radeon && newer.is_none() {
+        return Err(format!("{NEWER_DRIVER} names no driver"));
+    }
     compiled((gpu.name, KernelKind::One), newer.as_deref(), codecs)
 }
 
