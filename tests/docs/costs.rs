@@ -2,7 +2,7 @@
 
 use super::tables::is_shown;
 use super::{compare, markdown_table};
-use crate::isa::gpus::{COUNTED, ratio};
+use crate::isa::gpus::{COUNTED, ratio, row};
 use crate::isa::{committed, stages};
 use serde_json::Value;
 use std::sync::LazyLock;
@@ -146,13 +146,8 @@ pub fn gpus(rows: &str) -> String {
     let shown: Vec<_> = COUNTED.iter().filter(|(gpu, _)| is_all || SHOWN.contains(&gpu.name)).collect();
     let titles: Vec<&str> = shown.iter().map(|(gpu, _)| gpu.title).collect();
     let line = |name: &str, source, id: &str, textbook: Option<&str>| {
-        let of = |report: &Report, operation| {
-            let is_it = |row: &&Row| {
-                (row.id.as_str(), row.operation, row.source, row.textbook.as_deref())
-                    == (id, operation, source, textbook)
-            };
-            report.ratio_to_oct32(report.rows.iter().find(is_it)?)
-        };
+        let of =
+            |report: &Report, operation| report.ratio_to_oct32(row(report, id, operation, source, textbook)?);
         let cells: Vec<String> =
             shown.iter().map(|(_, report)| pair(1, |operation| of(report, operation))).collect();
         format!("{name} | {}", cells.join(" | "))

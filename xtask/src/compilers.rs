@@ -2,9 +2,9 @@
 //! answer in the kernel's place and which no package has, and NVIDIA's compiler of CUDA. `unitvec bench compiler` finds them in
 //! `target/compilers`.
 
-use crate::drivers::debian::PACKAGED;
+use crate::drivers::debian::{PACKAGED, manifest};
 use crate::languages::{Archive, NVCC};
-use crate::{cache, python, run, setup};
+use crate::{at, cache, python, run, setup};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -96,14 +96,13 @@ pub fn build() -> Result<PathBuf, String> {
 }
 
 fn mesa(compilers: &Path) -> Result<(), String> {
-    let failed = |path: &Path, error: std::io::Error| format!("{}: {error}", path.display());
     let source = MESA.fetch(compilers)?.with_file_name("");
     let shim = source.join("src/broadcom/drm-shim/v3d_noop.c");
-    let text = fs::read_to_string(&shim).map_err(|error| failed(&shim, error))?;
+    let text = fs::read_to_string(&shim).map_err(at(&shim))?;
     let [known, others] = ASKED;
     if !text.contains(others) {
         let text = text.replace(known, &format!("{others}{known}"));
-        fs::write(&shim, text).map_err(|error| failed(&shim, error))?;
+        fs::write(&shim, text).map_err(at(&shim))?;
     }
     let tools = compilers.join("tools");
     let pip = python::environment(&tools, Path::new("python3"))?;
@@ -126,15 +125,14 @@ fn mesa(compilers: &Path) -> Result<(), String> {
     PACKAGED[0].fetch(&drivers)?;
     for (name, shim, driver) in BUILT {
         let folder = compilers.join(name);
-        fs::create_dir_all(&folder).map_err(|error| failed(&folder, error))?;
+        fs::create_dir_all(&folder).map_err(at(&folder))?;
         let driver =
             driver.map_or_else(|| PACKAGED[0].root(&drivers).join(INTEL), |driver| build.join(driver));
         for (from, to) in [(build.join(shim), "shim.so"), (driver, "driver.so")] {
-            fs::copy(&from, folder.join(to)).map_err(|error| failed(&from, error))?;
+            fs::copy(&from, folder.join(to)).map_err(at(&from))?;
         }
         // The file is there once all of the driver is.
-        let icd = r#"{"file_format_version": "1.0.0", "ICD": {"library_path": "./driver.so", "api_version": "1.1.0"}}"#;
-        fs::write(folder.join("icd.json"), icd).map_err(|error| failed(&folder, error))?;
+        fs::write(folder.join("icd.json"), manifest("driver.so")).map_err(at(&folder))?;
     }
     Ok(())
 }

@@ -59,20 +59,22 @@ pub struct Gpu {
     pub line: Line,
 }
 
-/// Rows of [`GPUS`].
+/// Rows of [`GPUS`], after those of [`GENERATIONS`].
 macro_rules! gpus {
     ($($line:ident $name:literal $title:literal $series:literal;)*) => {
-        [$(Gpu { name: $name, title: $title, series: $series, line: Line::$line }),*]
+        [
+            Gpu::radeon(0),
+            Gpu::radeon(1),
+            Gpu::radeon(2),
+            Gpu::radeon(3),
+            Gpu::radeon(4),
+            $(Gpu { name: $name, title: $title, series: $series, line: Line::$line }),*
+        ]
     };
 }
 
 /// The GPUs whose compilers were asked about kernels of one vector, each line's oldest first.
 pub const GPUS: [Gpu; 17] = gpus! {
-    Radeon "polaris10" "GCN 4" "RX 400 and 500";
-    Radeon "vega10" "GCN 5" "RX Vega";
-    Radeon "navi21" "RDNA 2" "RX 6000";
-    Radeon "navi31" "RDNA 3" "RX 7000";
-    Radeon "gfx1201" "RDNA 4" "RX 9000";
     Intel "skl" "Intel Gen9" "HD Graphics 530";
     Intel "tgl" "Intel Xe-LP" "Iris Xe";
     Intel "dg2" "Intel Xe-HPG" "Arc A";
@@ -94,6 +96,12 @@ pub fn find_gpu(name: &str) -> Option<&'static Gpu> {
 }
 
 impl Gpu {
+    /// The GPU that stands for a generation of AMD's.
+    const fn radeon(index: usize) -> Self {
+        let Generation { gpu, title, series, .. } = GENERATIONS[index];
+        Self { name: gpu, title, series, line: Line::Radeon }
+    }
+
     /// Path in the repository of the counts.
     pub fn path(&self) -> PathBuf {
         format!("docs/data/gpus/{}.json", self.name).into()
@@ -109,8 +117,9 @@ pub(crate) fn counted(gpu: &Gpu) -> impl Iterator<Item = (String, Operation, f64
     let column = lines.next().and_then(|titles| titles.split(',').position(|title| title == gpu.name));
     lines.filter_map(move |line| {
         let cells: Vec<&str> = line.split(',').collect();
-        let operation = Operation::ALL.into_iter().find(|one| one.to_string() == cells[1])?;
-        Some((cells[0].to_owned(), operation, cells.get(column?)?.parse().ok()?))
+        let operation =
+            Operation::ALL.into_iter().find(|one| cells.get(1) == Some(&one.to_string().as_str()))?;
+        Some((cells.first()?.to_string(), operation, cells.get(column?)?.parse().ok()?))
     })
 }
 
@@ -324,13 +333,17 @@ impl Report {
         self.rows.iter().find(|row| (row.id.as_str(), row.operation, row.source) == (id, operation, source))
     }
 
-    /// The cost of a kernel as a multiple of that of `oct32`'s from GLSL: inverse throughput, or instructions
-    /// [beyond idle](Self::beyond_idle).
-    pub fn ratio_to_oct32(&self, row: &Row) -> Option<f64> {
-        self.ratio(row, REFERENCE, |row| match self.kernel {
+    /// The cost of a kernel: inverse throughput, or of kernels of one element instructions [beyond idle](Self::beyond_idle).
+    pub fn cost(&self, row: &Row) -> Option<f64> {
+        match self.kernel {
             KernelKind::Four => row.inverse_throughput.map(|cycles| cycles as f64),
             KernelKind::One => self.beyond_idle(row),
-        })
+        }
+    }
+
+    /// The [cost](Self::cost) of a kernel as a multiple of that of `oct32`'s from GLSL.
+    pub fn ratio_to_oct32(&self, row: &Row) -> Option<f64> {
+        self.ratio(row, REFERENCE, |row| self.cost(row))
     }
 
     /// The instructions of a kernel as a multiple of those of the codec's kernel from GLSL.

@@ -23,6 +23,20 @@ fn committed(gpu: &Gpu) -> Report {
     Report::parse(&path, &json).unwrap_or_else(|error| panic!("{error}; {RENEW}"))
 }
 
+/// The row of a kernel; of textbooks' kernels, of this one's.
+pub fn row<'a>(
+    report: &'a Report,
+    id: &str,
+    operation: Operation,
+    source: Source,
+    textbook: Option<&str>,
+) -> Option<&'a Row> {
+    report.rows.iter().find(|row| {
+        (row.id.as_str(), row.operation, row.source, row.textbook.as_deref())
+            == (id, operation, source, textbook)
+    })
+}
+
 /// The instructions of a codec's kernel from GLSL as a multiple of `oct32`'s.
 pub fn ratio(report: &Report, id: &str, operation: Operation) -> Option<f64> {
     report.ratio_to_oct32(report.row(id, operation, Source::Glsl)?)
@@ -59,17 +73,11 @@ fn octahedral_codes_cost_no_more_than_the_textbook() {
             ("oct16p", Operation::Encode, 0.65),
             ("oct32p", Operation::Encode, 0.5),
         ] {
-            let count = |source| {
-                let rows =
-                    report.rows.iter().filter(|row| (row.id.as_str(), row.operation) == (id, operation));
-                let is_same = |row: &&Row| match &row.textbook {
-                    Some(textbook) => textbook == id,
-                    None => source != Source::Textbook,
-                };
-                let row = rows.filter(|row| row.source == source).find(is_same);
+            let count = |source, textbook| {
+                let row = row(report, id, operation, source, textbook);
                 row.and_then(|row| report.beyond_idle(row)).unwrap()
             };
-            let of_textbook = count(Source::Glsl) / count(Source::Textbook);
+            let of_textbook = count(Source::Glsl, None) / count(Source::Textbook, Some(id));
             if of_textbook > most {
                 let _ = writeln!(found, "{id} {operation} on {}: {of_textbook:.2}", gpu.title);
             }

@@ -177,7 +177,8 @@ impl Packaged {
             return Err(format!("the package has no {}", self.library));
         }
         fs::remove_dir_all(&apt).map_err(failed)?;
-        fs::write(folder.join("icd.json"), manifest(self.library)).map_err(failed)?;
+        fs::write(folder.join("icd.json"), manifest(&format!("unpacked/{}", self.library)))
+            .map_err(failed)?;
         fs::write(folder.join("version"), versions).map_err(failed)
     }
 
@@ -190,8 +191,8 @@ impl Packaged {
 }
 
 /// A driver's file for Vulkan's loader, which takes the path as one from the file's folder.
-fn manifest(library: &str) -> String {
-    let icd = format!(r#"{{"library_path": "./unpacked/{library}", "api_version": "1.1.0"}}"#);
+pub fn manifest(library: &str) -> String {
+    let icd = format!(r#"{{"library_path": "./{library}", "api_version": "1.1.0"}}"#);
     format!("{{\"file_format_version\": \"1.0.0\", \"ICD\": {icd}}}\n")
 }
 
@@ -201,7 +202,7 @@ pub fn newer_radv(cache: &Path) -> Result<PathBuf, String> {
     let package = &PACKAGED[0];
     package.fetch(cache)?;
     let file = package.folder(cache).join("radeon_icd.json");
-    let written = fs::write(&file, manifest("usr/lib/x86_64-linux-gnu/libvulkan_radeon.so"));
+    let written = fs::write(&file, manifest("unpacked/usr/lib/x86_64-linux-gnu/libvulkan_radeon.so"));
     written.map_err(|error| format!("{}: {error}", file.display()))?;
     Ok(file)
 }

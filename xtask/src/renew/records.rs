@@ -227,7 +227,7 @@ pub static RECORDS: &[Record] = &[
             KERNELS,
             GLSL,
             &[Code(
-                "glsl/textbook/* tests/isa/dithered/kernel.comp tests/isa/stages/*.rs host/lab/src/isa/one* host/lab/src/isa/kernel.cuh host/lab/src/isa/cuda.rs xtask/src/compilers.rs",
+                "glsl/textbook/* tests/isa/dithered/kernel.comp tests/isa/stages/*.rs host/lab/src/isa/one* host/lab/src/isa/kernel.cuh host/lab/src/isa/cuda.rs host/lab/src/isa/nvidia.rs xtask/src/compilers.rs",
             )],
         ],
         minutes: 12,

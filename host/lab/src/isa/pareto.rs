@@ -25,7 +25,7 @@ const SIZES: [Size; 4] = [
 pub struct Point {
     /// The codec.
     pub codec: &'static AnyCodec,
-    /// The codec's inverse throughput, or its instructions in a kernel of one element.
+    /// The codec's [cost](Report::cost).
     pub cost: f64,
     /// Upper bound of the codec's error, degrees.
     pub error_deg: f64,
@@ -35,11 +35,7 @@ pub struct Point {
 pub fn points(report: &Report, operation: Operation) -> Vec<Point> {
     let codecs = vectors().iter().filter(|codec| codec.is_unit && codec.domain == Domain::Sphere);
     let point = |codec: &'static AnyCodec| {
-        let row = report.row(codec.id, operation, Source::Glsl)?;
-        let cost = match report.kernel {
-            KernelKind::Four => row.inverse_throughput? as f64,
-            KernelKind::One => report.beyond_idle(row)?,
-        };
+        let cost = report.cost(report.row(codec.id, operation, Source::Glsl)?)?;
         Some(Point { codec, cost, error_deg: f64::from(codec.max_error_deg()) })
     };
     let mut points: Vec<Point> = codecs.filter_map(point).collect();

@@ -170,19 +170,18 @@ impl StandIn {
     /// [`Error::UnknownGpu`], [`Error::Unusable`] or [`Error::NotStarted`].
     pub fn run(&self) -> Result<ExitCode, Error> {
         self.probe()?;
-        let mut command = self.here()?;
+        let mut command = here()?;
         command.args(std::env::args_os().skip(1));
         let said = self.prepare(&mut command)?;
         let status = command.status().map_err(Error::NotStarted)?;
         let text = std::fs::read(said.path()).unwrap_or_default();
-        let own = String::from_utf8_lossy(&text)
-            .lines()
-            .filter(|line| line.starts_with("unitvec: "))
-            .map(|line| format!("{line}\n"))
-            .collect::<String>();
-        eprint!("{own}");
-        let code = status.code().and_then(|code| u8::try_from(code).ok());
-        Ok(code.map_or(ExitCode::FAILURE, ExitCode::from))
+        let text = String::from_utf8_lossy(&text);
+        let own: Vec<&str> = text.lines().filter(|line| line.starts_with("unitvec: ")).collect();
+        own.iter().for_each(|line| eprintln!("{line}"));
+        match status.code().and_then(|code| u8::try_from(code).ok()) {
+            Some(code) => Ok(ExitCode::from(code)),
+            None => Err(self.unusable(text.lines().last().unwrap_or("it ends the program"))),
+        }
     }
 
     /// Gives a command the environment. What a driver with a shim says goes to the file, as long as it is held.
@@ -191,7 +190,7 @@ impl StandIn {
     /// [`Error::NotStarted`].
     pub fn prepare(&self, command: &mut Command) -> Result<NamedTempFile, Error> {
         let said = NamedTempFile::new().map_err(Error::NotStarted)?;
-        command.envs(self.environment()).env_remove("UNITVEC_DEVICE");
+        self.set(command);
         if self.driver.folder.is_some() {
             command.env(SAID, said.path()).stderr(said.reopen().map_err(Error::NotStarted)?);
         }
@@ -200,26 +199,29 @@ impl StandIn {
 
     /// A driver that does not know the GPU ends the process, so another process has to ask it.
     fn probe(&self) -> Result<(), Error> {
-        let output = self.here()?.arg("devices").stdin(Stdio::null()).output().map_err(Error::NotStarted)?;
+        let mut command = here()?;
+        self.set(&mut command);
+        let output = command.arg("devices").stdin(Stdio::null()).output().map_err(Error::NotStarted)?;
         let said = String::from_utf8_lossy(&output.stderr);
-        let (driver, title) = (self.file.clone(), self.driver.title);
-        let reason = if !output.status.success() {
-            if said.contains("Unknown family") {
-                return Err(Error::UnknownGpu { gpu: self.driver.variable.1.clone(), driver });
-            }
-            said.lines().last().unwrap_or("it ends the program").trim_start_matches("unitvec: ").to_owned()
-        } else if String::from_utf8_lossy(&output.stdout).contains(title) {
-            return Ok(());
-        } else {
-            format!("it is not {title}")
-        };
-        Err(Error::Unusable { driver, reason })
+        let title = self.driver.title;
+        if said.contains("Unknown family") {
+            let (gpu, driver) = (self.driver.variable.1.clone(), self.file.clone());
+            return Err(Error::UnknownGpu { gpu, driver });
+        }
+        if !output.status.success() {
+            let last = said.lines().last().unwrap_or("it ends the program");
+            return Err(self.unusable(last.trim_start_matches("unitvec: ")));
+        }
+        let is_it = String::from_utf8_lossy(&output.stdout).contains(title);
+        if is_it { Ok(()) } else { Err(self.unusable(&format!("it is not {title}"))) }
     }
 
-    fn here(&self) -> Result<Command, Error> {
-        let mut command = Command::new(std::env::current_exe().map_err(Error::NotStarted)?);
+    fn unusable(&self, reason: &str) -> Error {
+        Error::Unusable { driver: self.file.clone(), reason: reason.to_owned() }
+    }
+
+    fn set(&self, command: &mut Command) {
         command.envs(self.environment()).env_remove("UNITVEC_DEVICE");
-        Ok(command)
     }
 
     /// The variables. Older loaders know the first name of the driver's file, newer ones the second as well.
@@ -239,6 +241,11 @@ impl StandIn {
         }
         variables
     }
+}
+
+/// This program.
+fn here() -> Result<Command, Error> {
+    Ok(Command::new(std::env::current_exe().map_err(Error::NotStarted)?))
 }
 
 /// The file of what a driver says in this process, where it is read.

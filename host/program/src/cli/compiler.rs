@@ -21,8 +21,8 @@ use unitvec_vulkan::{DeviceInfo, Inspector};
 #[derive(Args)]
 pub struct Arguments {
     /// Ask the compiler for a GPU that need not be there: for AMD's that of Mesa's driver RADV, by a code name as RADV has it
-    /// (navi21) or a generation (gcn4, gcn5, rdna2, rdna3, rdna4); for skl, tgl, dg2, bmg, sm_75, sm_86, sm_120, a630, a730, g52, g610,
-    /// v3d42 those that `cargo xtask renew costs` builds. Without it, the compiler of --device, whose driver has to have
+    /// (navi21) or a generation (gcn4, gcn5, rdna2, rdna3, rdna4); for those of other makers that docs/costs.md lists (dg2, sm_86,
+    /// a730) the compilers that `cargo xtask renew costs` builds. Without it, the compiler of --device, whose driver has to have
     /// VK_KHR_pipeline_executable_properties.
     #[arg(long, value_name = "NAME")]
     gpu: Option<String>,
@@ -40,14 +40,11 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// The driver's environment, where it is asked for.
-    fn stand_in(&self) -> Result<Option<StandIn>> {
-        let Some(gpu) = &self.gpu else { return Ok(None) };
-        let radv = || {
-            variable("UNITVEC_RADV_ICD").filter(|_| find_gpu(gpu).is_none_or(|gpu| gpu.line == Line::Radeon))
-        };
-        let driver = self.driver.clone().or_else(|| radv().map(PathBuf::from));
-        Ok(Some(StandIn::new(gpu, driver.as_deref())?))
+    /// The environment of the driver for a GPU.
+    fn stand_in(&self, gpu: &str) -> Result<StandIn> {
+        let is_radeon = find_gpu(gpu).is_none_or(|gpu| gpu.line == Line::Radeon);
+        let radv = variable("UNITVEC_RADV_ICD").filter(|_| is_radeon).map(PathBuf::from);
+        Ok(StandIn::new(gpu, self.driver.clone().or(radv).as_deref())?)
     }
 }
 
@@ -55,12 +52,22 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let (measured, run) = (&arguments.measured, &arguments.measured.run);
     // It says so before another process begins.
     glsl::Compiler::new()?;
-    if arguments.gpu.is_some() && run.vulkan.names_device() {
+    let gpu = arguments.gpu.as_deref();
+    if gpu.is_some() && run.vulkan.names_device() {
         return Err(Error::Usage("--gpu and --device both name a device; leave one out".to_owned()));
     }
-    let nvidia = arguments.gpu.as_deref().and_then(find_gpu).filter(|gpu| gpu.line == Line::Nvidia);
-    if let Some(stand_in) = arguments.stand_in()?.filter(|one| nvidia.is_none() && !one.is_here()) {
-        return Ok(stand_in.run()?);
+    let nvidia = gpu.and_then(find_gpu).filter(|gpu| gpu.line == Line::Nvidia);
+    if nvidia.is_some() && (arguments.kernel == KernelKind::Four || arguments.driver.is_some()) {
+        return Err(Error::Usage(
+            "NVIDIA's compiler is asked about kernels of one element, without a driver; leave out --kernel four and --driver"
+                .to_owned(),
+        ));
+    }
+    if let Some(gpu) = gpu.filter(|_| nvidia.is_none()) {
+        let stand_in = arguments.stand_in(gpu)?;
+        if !stand_in.is_here() {
+            return Ok(stand_in.run()?);
+        }
     }
     let is_quiet = measured.outputs.take_stdout(&run.json)?;
     let chosen = run.formats()?;
