@@ -54,10 +54,11 @@ impl Order {
     }
 }
 
-/// True where a slice of vectors of this size should be prefetched.
+/// True where a slice of vectors of this size should be prefetched. WebAssembly has no such instruction, and the bytes of its
+/// modules count.
 #[inline(always)]
 pub fn is_far<T>(vectors: &[T]) -> bool {
-    size_of_val(vectors) >= FAR
+    cfg!(not(target_family = "wasm")) && size_of_val(vectors) >= FAR
 }
 
 /// The loop that encodes a slice.
