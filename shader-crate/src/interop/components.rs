@@ -2,6 +2,7 @@
 
 use super::plain::{most, snorm};
 use super::{around, nearest_of};
+use crate::arith::nearest_whole;
 use glam::Vec3;
 
 /// The deviation from unit length that glTF's validator lets pass: ACCESSOR_VECTOR3_NON_UNIT of glTF-Validator 434283be.
@@ -55,14 +56,16 @@ pub(super) fn encode(v: Vec3, bits: u32, is_plain: bool) -> [u32; 2] {
         return code(plain, bits);
     }
     let most = most(bits - 1);
-    let is_valid = |point: &[i32; 3]| {
-        let square: f64 = point.iter().map(|c| f64::from(*c).powi(2)).sum();
-        let fits = point.iter().all(|c| c.abs() <= most as i32);
-        fits && (square.sqrt() / f64::from(most) - 1.0).abs() < f64::from(VALID)
+    let [shortest, longest] = [-VALID, VALID].map(|part| (f64::from(most) * (1.0 + f64::from(part))).powi(2));
+    let is_valid = |[x, y, z]: &[i32; 3]| {
+        let fits = x.abs().max(y.abs()).max(z.abs()) <= most as i32;
+        let [x, y, z] = [*x, *y, *z].map(f64::from);
+        let square = x * x + y * y + z * z;
+        fits && shortest < square && square < longest
     };
     let (least, steps) = (most * (1.0 - VALID), (2.0 * VALID * most * TRIALS_A_STEP) as u32);
-    let trials =
-        (0..=steps).map(|i| (v * (least + i as f32 / TRIALS_A_STEP)).to_array().map(|c| c.round() as i32));
+    let trials = (0..=steps)
+        .map(|i| (v * (least + i as f32 / TRIALS_A_STEP)).to_array().map(|c| nearest_whole(c) as i32));
     let points = cube(plain).chain(trials).filter(is_valid);
     code(nearest_of(v, points, |point| Vec3::from_array(point.map(|c| c as f32))).unwrap_or(plain), bits)
 }

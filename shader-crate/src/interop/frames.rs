@@ -200,7 +200,7 @@ impl Normal {
 
     fn encode(self, v: Vec3) -> u32 {
         match self {
-            Self::Pair(lattice, bits) => Layout::Pair.code(lattice.nearest_numbers(v, bits, false), bits)[0],
+            Self::Pair(lattice, bits) => lattice.nearest_code(v, bits, false, Layout::Pair)[0],
             Self::Signed(bits) => {
                 let (norm, m) = (l1_norm(v), snorm_max(bits));
                 soct::code(v, norm, nearest_pair(hemioct::position(v, norm, m), bits), 2 * bits + 1)
@@ -240,7 +240,7 @@ impl Normal {
     fn unfolded(self, code: u32) -> (Vec3, bool) {
         let Self::Pair(lattice, bits) = self else { return (Vec3::X, false) };
         let (m, _, offset) = lattice.sizes(bits);
-        let numbers = Layout::Pair.numbers([code, 0], lattice, bits);
+        let numbers = Layout::Pair.numbers([code, 0], lattice.sign(bits), bits);
         let [x, y] = numbers.map(|i| ((i as f32 - offset) / m).max(-1.0));
         (oct::unproject(glam::Vec2::new(x, y.abs() * 2.0 - 1.0)), y < 0.0)
     }

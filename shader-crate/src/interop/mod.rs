@@ -215,7 +215,7 @@ impl Format {
         let written = |v: &Vec3| self.decode_words(self.plain().encode_words(v.to_array())).into();
         let snapped = match self.row.mapping {
             Mapping::Octahedral { lattice, layout, pole_x, .. } => {
-                let numbers = layout.numbers(code(), lattice, self.bits);
+                let numbers = layout.numbers(code(), lattice.sign(self.bits), self.bits);
                 // Parts of a step, around the middle of what the original rounds or truncates to the code.
                 let aims = around([0, 0], [0, 1, -1]).map(|aim| aim.map(|i| self.row.aim + 0.25 * i as f32));
                 let beside = aims.map(|aim| lattice.direction(self.bits, numbers, pole_x, aim));
@@ -235,11 +235,8 @@ impl Format {
             Mapping::Octahedral { layout, plain, .. } if self.is_plain => {
                 layout.code(plain(v, self.bits), self.bits)
             }
-            Mapping::Octahedral { lattice, layout, pole_x, .. } if layout.rounds() => {
-                octahedral::searched(v, lattice, layout, pole_x, self.bits)
-            }
             Mapping::Octahedral { lattice, layout, pole_x, .. } => {
-                layout.code(lattice.nearest_numbers(v, self.bits, pole_x), self.bits)
+                lattice.nearest_code(v, self.bits, pole_x, layout)
             }
             Mapping::Tetrahedron => tetrahedron::encode(v, self.is_plain),
             Mapping::Snorm => components::encode(v, self.bits, self.is_plain),
@@ -380,8 +377,15 @@ impl Coder<3> for One {
 
 /// Of these candidates the one whose vector is nearest in angle to `v`, the first of equals.
 fn nearest_of<T>(v: Vec3, candidates: impl Iterator<Item = T>, vector: impl Fn(&T) -> Vec3) -> Option<T> {
-    let scored = candidates.map(|candidate| (distance(v, vector(&candidate)), candidate));
-    scored.reduce(|a, b| if b.0 < a.0 { b } else { a }).map(|(_, candidate)| candidate)
+    let mut best = None;
+    // A loop: of `reduce` the compiler leaves calls for each candidate.
+    for candidate in candidates {
+        let distance = distance(v, vector(&candidate));
+        if best.as_ref().is_none_or(|(least, _)| distance < *least) {
+            best = Some((distance, candidate));
+        }
+    }
+    best.map(|(_, candidate)| candidate)
 }
 
 /// The 3 by 3 points around one, by steps of x in this order, and of y for each.
@@ -391,8 +395,10 @@ fn around([x, y]: [i32; 2], steps: [i32; 3]) -> impl Iterator<Item = [i32; 2]> {
 
 /// The square of the tangent of the angle between two directions, infinite from a right angle on: in float64, so that it
 /// tells the codes of any format apart.
-fn distance(a: Vec3, b: Vec3) -> f64 {
-    let ([a, b, c], [x, y, z]) = ([a.x, a.y, a.z].map(f64::from), [b.x, b.y, b.z].map(f64::from));
+#[inline(always)]
+fn distance(v: Vec3, w: Vec3) -> f64 {
+    let (a, b, c) = (f64::from(v.x), f64::from(v.y), f64::from(v.z));
+    let (x, y, z) = (f64::from(w.x), f64::from(w.y), f64::from(w.z));
     let (p, q, r) = (b * z - c * y, c * x - a * z, a * y - b * x);
     let along = (a * x + b * y) + c * z;
     if along > 0.0 { ((p * p + q * q) + r * r) / (along * along) } else { f64::INFINITY }

@@ -1,6 +1,6 @@
 //! Octahedral lattices in the numberings and layouts of other software.
 
-use super::{around, nearest_of};
+use super::distance;
 use crate::arith::{ONE_AND_A_HALF_2_23, SIGN_BIT, dot, flip_sign, is_negative, mask, max, min, over};
 use crate::codec::storage_bytes;
 use crate::direction::{is_usable, l1_norm};
@@ -34,8 +34,9 @@ impl Lattice {
         }
     }
 
-    /// The sign bit of a number.
-    fn sign(self, bits: u32) -> u32 {
+    /// The sign bit of a number, 0 without one.
+    #[inline(always)]
+    pub(super) fn sign(self, bits: u32) -> u32 {
         if self == Self::Snorm { 1 << (bits - 1) } else { 0 }
     }
 
@@ -53,9 +54,9 @@ impl Lattice {
         if m < 2.0 { OF_VERTICES_DEG } else { bound }
     }
 
-    /// The numbers of the point that is nearest to a usable direction.
+    /// The code of the point that is nearest to a usable direction, as the layout's decoder has it.
     #[inline(always)]
-    pub(super) fn nearest_numbers(self, v: Vec3, bits: u32, pole_x: bool) -> [i32; 2] {
+    pub(super) fn nearest_code(self, v: Vec3, bits: u32, pole_x: bool, layout: Layout) -> [u32; 2] {
         let (m, half, offset) = self.sizes(bits);
         let v = turned(v, pole_x);
         let at = nearest(v, l1_norm(v), m, half);
@@ -64,15 +65,23 @@ impl Lattice {
         let e = signed(at, v, m, pole_x);
         // Of the corners, which are one direction, that of code 0 may stand for no vector.
         let e = if e == Vec2::splat(-m) { -e } else { e };
-        [whole(e.x + offset), whole(e.y + offset)]
+        let e = if layout.rounds() { searched(v, e, m, layout.most()) } else { e };
+        layout.code([whole(e.x + offset), whole(e.y + offset)], bits)
     }
 
     /// The direction of a point, moved by `aim` steps.
-    pub(super) fn direction(self, bits: u32, [x, y]: [i32; 2], pole_x: bool, aim: [f32; 2]) -> Vec3 {
+    #[inline(always)]
+    pub(super) fn direction(self, bits: u32, numbers: [i32; 2], pole_x: bool, aim: [f32; 2]) -> Vec3 {
         let (m, _, offset) = self.sizes(bits);
-        let [x, y] = [x as f32 + aim[0], y as f32 + aim[1]].map(|number| min(max(number - offset, -m), m));
-        turned_back(from_lattice(Vec2::new(x, y), m), pole_x)
+        turned_back(direction(numbers, m, offset, aim), pole_x)
     }
+}
+
+/// The direction of a point of the square up to m, by its numbers, moved by `aim` steps.
+#[inline(always)]
+fn direction([x, y]: [i32; 2], m: f32, offset: f32, aim: [f32; 2]) -> Vec3 {
+    let (x, y) = ((x as f32 + aim[0]) - offset, (y as f32 + aim[1]) - offset);
+    from_lattice(Vec2::new(min(max(x, -m), m), min(max(y, -m), m)), m)
 }
 
 /// The magnitudes of the point of [`crate::families::octahedral::nearest::nearest`], by the same sums, so that the codes of
@@ -203,31 +212,36 @@ impl Layout {
         }
     }
 
-    /// The code of a point's numbers.
+    /// The code of a point's numbers. This and what it calls have no closures, which would not get the instructions of a
+    /// slice's level. Of a pair, bits of the numbers above their own do not matter.
     #[inline(always)]
     pub(super) fn code(self, [x, y]: [i32; 2], bits: u32) -> [u32; 2] {
-        let low = |number: i32, bits: u32| number as u32 & mask(bits);
         match self {
-            Self::Pair => [pair_code(x as u32, y as u32, bits), 0],
+            Self::Pair => [(x as u32 & mask(bits)) | (y as u32 & mask(bits)) << bits, 0],
             Self::Bytes888 => [bytes_code(x as u32, y as u32), 0],
             Self::Signs => {
                 let positive = u32::from(x > 0) | u32::from(y > 0) << 1;
                 [x.unsigned_abs() | y.unsigned_abs() << 10 | positive << 20, 0]
             }
             Self::Octant => [octant(x, y), 0],
-            Self::Lanes8 => [low(x, 8) | low(y, 8) << 8 | mask(bits - 1) << 16, 0],
-            Self::Lanes16 => [low(x, 16) | low(y, 16) << 16, mask(bits - 1)],
+            Self::Lanes8 => [(x as u32 & 255) | (y as u32 & 255) << 8 | mask(bits - 1) << 16, 0],
+            Self::Lanes16 => [(x as u32 & 0xffff) | (y as u32) << 16, mask(bits - 1)],
         }
     }
 
-    /// The numbers of the point of a code.
+    /// The numbers of the point of a code; `sign` is a pair's [`Lattice::sign`].
     #[inline(always)]
-    pub(super) fn numbers(self, [low, _]: [u32; 2], lattice: Lattice, bits: u32) -> [i32; 2] {
-        let at = |first: u32, bits: u32| (low >> first & mask(bits)) as i32;
+    pub(super) fn numbers(self, [low, _]: [u32; 2], sign: u32, bits: u32) -> [i32; 2] {
         match self {
-            Self::Pair => pair(low, bits, lattice.sign(bits)),
+            Self::Pair => {
+                let (x, y) = (low & mask(bits), low >> bits & mask(bits));
+                [(x ^ sign).wrapping_sub(sign) as i32, (y ^ sign).wrapping_sub(sign) as i32]
+            }
             Self::Bytes888 => of_bytes(low),
-            Self::Signs => [at(0, 10) * (2 * at(20, 1) - 1), at(10, 10) * (2 * at(21, 1) - 1)],
+            Self::Signs => {
+                let (x, y) = ((low & mask(10)) as i32, (low >> 10 & mask(10)) as i32);
+                [if low >> 20 & 1 == 1 { x } else { -x }, if low >> 21 & 1 == 1 { y } else { -y }]
+            }
             Self::Octant => from_octant(low),
             Self::Lanes8 => [i32::from(low as i8), i32::from((low >> 8) as i8)],
             Self::Lanes16 => [i32::from(low as i16), i32::from((low >> 16) as i16)],
@@ -235,22 +249,22 @@ impl Layout {
     }
 
     /// The vector that the original's decoder makes of a code.
+    #[inline(always)]
     pub(super) fn decode(self, code: [u32; 2], lattice: Lattice, pole_x: bool, bits: u32) -> Vec3 {
-        let [x, y] = self.numbers(code, lattice, bits);
-        let (one, most) = match self {
-            Self::Lanes8 => ((code[0] >> 16) as u8 as i8 as f32, 127.0),
-            Self::Lanes16 => (code[1] as u16 as i16 as f32, 32_767.0),
+        let [x, y] = self.numbers(code, lattice.sign(bits), bits);
+        let one = match self {
+            Self::Lanes8 => (code[0] >> 16) as u8 as i8 as f32,
+            Self::Lanes16 => code[1] as u16 as i16 as f32,
             _ => return lattice.direction(bits, [x, y], pole_x, [0.0; 2]),
         };
-        rounded(Vec2::new(x as f32, y as f32), one, most)
+        rounded(Vec2::new(x as f32, y as f32), one, self.most())
     }
-}
 
-/// The code of [`Layout::Pair`]. This and the next ones have no closures, which would not get the instructions of a slice's
-/// level.
-#[inline(always)]
-fn pair_code(x: u32, y: u32, bits: u32) -> u32 {
-    (x & mask(bits)) | (y & mask(bits)) << bits
+    /// The length of the integers that decoders give, where they do.
+    #[inline(always)]
+    fn most(self) -> f32 {
+        if self == Self::Lanes8 { 127.0 } else { 32_767.0 }
+    }
 }
 
 /// The code of [`Layout::Bytes888`].
@@ -265,35 +279,30 @@ fn of_bytes(code: u32) -> [i32; 2] {
     [(code & 255 | (code >> 16 & 15) << 8) as i32, (code >> 8 & 255 | (code >> 20 & 15) << 8) as i32]
 }
 
-/// The numbers of a pair; `sign` is the bit that is one, or 0.
-#[inline(always)]
-fn pair(code: u32, bits: u32, sign: u32) -> [i32; 2] {
-    let (x, y) = (code & mask(bits), code >> bits & mask(bits));
-    [(x ^ sign).wrapping_sub(sign) as i32, (y ^ sign).wrapping_sub(sign) as i32]
-}
-
 /// The signs and components of a point of the lattice of 126, as OpenVDB numbers them. A component of 0 has no sign.
+#[inline(always)]
 fn octant(x: i32, y: i32) -> u32 {
     let z = 126 - x.abs() - y.abs();
     let (a, b) = if z < 0 { (126 - y.abs(), 126 - x.abs()) } else { (x.abs(), y.abs()) };
-    let sign = |is_negative: bool, bit: u32| u32::from(is_negative) << bit;
-    let signs = sign(x < 0 && a > 0, 15) | sign(y < 0 && b > 0, 14) | sign(z < 0, 13);
+    let (left, down) = ((x < 0) & (a > 0), (y < 0) & (b > 0));
+    let signs = u32::from(left) << 15 | u32::from(down) << 14 | u32::from(z < 0) << 13;
     // Of x, 63 numbers have no room in 6 bits: they are mirrored into the other half of the triangle.
     let (a, b) = if a > 63 { (127 - a, 127 - b) } else { (a, b) };
     signs | (a << 7 | b) as u32
 }
 
 /// The reverse of [`octant`]. Patterns beyond the edge count as points of the edge.
+#[inline(always)]
 fn from_octant(code: u32) -> [i32; 2] {
     let (a, b) = ((code >> 7 & 63) as i32, (code & 127) as i32);
     let (a, b) = if a + b > 126 { (127 - a, 127 - b) } else { (a, b) };
     let b = b.min(126 - a);
     let (a, b) = if code >> 13 & 1 == 1 { (126 - b, 126 - a) } else { (a, b) };
-    let signed = |number: i32, bit: u32| if code >> bit & 1 == 1 { -number } else { number };
-    [signed(a, 15), signed(b, 14)]
+    [if code >> 15 & 1 == 1 { -a } else { a }, if code >> 14 & 1 == 1 { -b } else { b }]
 }
 
 /// The decoder of meshoptimizer's filter: a vector of length `most`, rounded, ties away from 0; here divided by `most`.
+#[inline(always)]
 fn rounded(e: Vec2, one: f32, most: f32) -> Vec3 {
     let z = one - e.x.abs() - e.y.abs();
     let below = min(z, 0.0);
@@ -304,61 +313,73 @@ fn rounded(e: Vec2, one: f32, most: f32) -> Vec3 {
     );
     let length = (v.x * v.x + v.y * v.y + v.z * v.z).sqrt();
     let scale = if length > 0.0 { most / length } else { 0.0 };
-    (v * scale).to_array().map(|c| c.round() / most).into()
+    let v = v * scale;
+    Vec3::new(v.x.round() / most, v.y.round() / most, v.z.round() / most)
 }
 
-/// The point inside the square that one beyond its border stands for.
-fn wrapped([x, y]: [i32; 2], m: i32) -> [i32; 2] {
-    let [x, y] = if x.abs() > m { [2 * m * x.signum() - x, -y] } else { [x, y] };
-    if y.abs() > m { [-x, 2 * m * y.signum() - y] } else { [x, y] }
+/// Of the 3 by 3 points around the nearest one, `at`, the point whose decoded integers are nearest.
+#[inline(always)]
+fn searched(v: Vec3, at: Vec2, m: f32, most: f32) -> Vec2 {
+    // The point itself comes first: of equals it stays. One by one, since LLVM keeps a loop a loop, and that from vectors.
+    let best = (distance(v, rounded(at, m, most)), at);
+    let best = or_nearer(best, v, at + Vec2::new(0.0, 1.0), m, most);
+    let best = or_nearer(best, v, at + Vec2::new(0.0, -1.0), m, most);
+    let best = or_nearer(best, v, at + Vec2::new(1.0, 0.0), m, most);
+    let best = or_nearer(best, v, at + Vec2::new(1.0, 1.0), m, most);
+    let best = or_nearer(best, v, at + Vec2::new(1.0, -1.0), m, most);
+    let best = or_nearer(best, v, at + Vec2::new(-1.0, 0.0), m, most);
+    let best = or_nearer(best, v, at + Vec2::new(-1.0, 1.0), m, most);
+    or_nearer(best, v, at + Vec2::new(-1.0, -1.0), m, most).1
 }
 
-/// The code of the 3 by 3 points around the nearest one whose decoded integers are nearest.
-pub(super) fn searched(v: Vec3, lattice: Lattice, layout: Layout, pole_x: bool, bits: u32) -> [u32; 2] {
-    let ([x, y], m) = (lattice.nearest_numbers(v, bits, pole_x), lattice.largest(bits) as i32);
-    // The point itself comes first: of equals it stays.
-    let codes = around([x, y], [0, 1, -1]).map(|point| layout.code(wrapped(point, m), bits));
-    nearest_of(v, codes, |code| layout.decode(*code, lattice, pole_x, bits)).unwrap_or_default()
+/// This point, or, where it lies beyond the square's border, that inside which it stands for, if its integers are nearer.
+#[inline(always)]
+fn or_nearer(best: (f64, Vec2), v: Vec3, at: Vec2, m: f32, most: f32) -> (f64, Vec2) {
+    let (x, y) = (at.x.abs() > m, at.y.abs() > m);
+    let at = if x { Vec2::new(flip_sign(2.0 * m, at.x.to_bits() & SIGN_BIT) - at.x, -at.y) } else { at };
+    let at = if y { Vec2::new(-at.x, flip_sign(2.0 * m, at.y.to_bits() & SIGN_BIT) - at.y) } else { at };
+    let distance = distance(v, rounded(at, m, most));
+    if distance < best.0 { (distance, at) } else { best }
 }
 
-/// An octahedral format of 3 bits or more as a coder of slices: of pairs, or with `IS_BYTES` of [`Layout::Bytes888`].
+/// An octahedral format of 3 bits or more as a coder of slices, of the layout of this number.
 #[derive(Clone, Copy)]
-pub(super) struct Fast<const IS_BYTES: bool, const POLE_X: bool> {
+pub(super) struct Fast<const LAYOUT: u8, const POLE_X: bool> {
     bits: u32,
-    sign: u32,
     largest: f32,
     middle: f32,
     offset: f32,
-    code_of_z: u32,
-    /// The code of the corner (-m, -m), and what turns it into that of (m, m).
+    sign: u32,
+    code_of_z: [u32; 2],
+    /// The low word of the code of the corner (-m, -m), and what turns it into that of (m, m).
     corner: u32,
     to_other: u32,
 }
 
-impl<const IS_BYTES: bool, const POLE_X: bool> Fast<IS_BYTES, POLE_X> {
+impl<const LAYOUT: u8, const POLE_X: bool> Fast<LAYOUT, POLE_X> {
+    const LAYOUT: Layout = match LAYOUT {
+        0 => Layout::Pair,
+        1 => Layout::Bytes888,
+        2 => Layout::Signs,
+        3 => Layout::Octant,
+        4 => Layout::Lanes8,
+        _ => Layout::Lanes16,
+    };
+
     pub(super) fn new(lattice: Lattice, bits: u32) -> Self {
         let (largest, middle, offset) = lattice.sizes(bits);
-        let layout = if IS_BYTES { Layout::Bytes888 } else { Layout::Pair };
-        let code = |number: f32| layout.code([whole(number); 2], bits)[0];
-        let [code_of_z, _] = layout.code(lattice.nearest_numbers(Vec3::Z, bits, POLE_X), bits);
+        let code = |number: f32| Self::LAYOUT.code([whole(number); 2], bits)[0];
+        let code_of_z = lattice.nearest_code(Vec3::Z, bits, POLE_X, Self::LAYOUT);
         let (corner, other) = (code(offset - largest), code(offset + largest));
-        Self {
-            bits,
-            sign: lattice.sign(bits),
-            largest,
-            middle,
-            offset,
-            code_of_z,
-            corner,
-            to_other: corner ^ other,
-        }
+        let sign = lattice.sign(bits);
+        Self { bits, largest, middle, offset, sign, code_of_z, corner, to_other: corner ^ other }
     }
 }
 
-impl<const IS_BYTES: bool, const POLE_X: bool> Coder<3> for Fast<IS_BYTES, POLE_X> {
+impl<const LAYOUT: u8, const POLE_X: bool> Coder<3> for Fast<LAYOUT, POLE_X> {
     #[inline(always)]
     fn bytes(self) -> usize {
-        if IS_BYTES { 3 } else { storage_bytes(2 * self.bits) }
+        Self::LAYOUT.bytes(self.bits)
     }
 
     #[inline(always)]
@@ -366,22 +387,31 @@ impl<const IS_BYTES: bool, const POLE_X: bool> Coder<3> for Fast<IS_BYTES, POLE_
         let v = turned(Vec3::from_array(v), POLE_X);
         let norm = l1_norm(v);
         let m = self.largest;
-        let middle = if POLE_X { 0.0 } else { self.middle };
-        let e = signed(nearest(v, norm, m, middle), v, m, POLE_X);
+        let e = signed(nearest(v, norm, m, if POLE_X { 0.0 } else { self.middle }), v, m, POLE_X);
+        let e = if Self::LAYOUT.rounds() {
+            let e = if (e.x == -m) & (e.y == -m) { -e } else { e };
+            searched(v, e, m, Self::LAYOUT.most())
+        } else {
+            e
+        };
         // The sum of halves of steps is exact; the number is above its last bit.
-        let number = self.offset + HALVES;
-        let (x, y) = ((e.x + number).to_bits() >> 1, (e.y + number).to_bits() >> 1);
-        let code = if IS_BYTES { bytes_code(x, y) } else { pair_code(x, y, self.bits) };
-        let code = code ^ if !POLE_X && code == self.corner { self.to_other } else { 0 };
-        [if is_usable(norm) { code } else { self.code_of_z }, 0]
+        let (x, y) = (e.x + (self.offset + HALVES), e.y + (self.offset + HALVES));
+        let bits = if matches!(Self::LAYOUT, Layout::Pair | Layout::Bytes888) { 0 } else { HALVES.to_bits() };
+        let (x, y) = (x.to_bits().wrapping_sub(bits) as i32 >> 1, y.to_bits().wrapping_sub(bits) as i32 >> 1);
+        let [low, high] = Self::LAYOUT.code([x, y], self.bits);
+        let low = low ^ if !POLE_X && low == self.corner { self.to_other } else { 0 };
+        let [low_of_z, high_of_z] = self.code_of_z;
+        let is_usable = is_usable(norm);
+        [if is_usable { low } else { low_of_z }, if is_usable { high } else { high_of_z }]
     }
 
     #[inline(always)]
-    fn decode(self, [low, _]: [u32; 2]) -> [f32; 3] {
-        let [x, y] = if IS_BYTES { of_bytes(low) } else { pair(low, self.bits, self.sign) };
-        let (x, y) = (x as f32 - self.offset, y as f32 - self.offset);
-        let (x, y) = (min(max(x, -self.largest), self.largest), min(max(y, -self.largest), self.largest));
-        turned_back(from_lattice(Vec2::new(x, y), self.largest), POLE_X).to_array()
+    fn decode(self, code: [u32; 2]) -> [f32; 3] {
+        if Self::LAYOUT.rounds() {
+            return Self::LAYOUT.decode(code, Lattice::Snorm, POLE_X, self.bits).to_array();
+        }
+        let numbers = Self::LAYOUT.numbers(code, self.sign, self.bits);
+        turned_back(direction(numbers, self.largest, self.offset, [0.0; 2]), POLE_X).to_array()
     }
 }
 
@@ -389,23 +419,23 @@ impl<const IS_BYTES: bool, const POLE_X: bool> Coder<3> for Fast<IS_BYTES, POLE_
 macro_rules! with_lattice {
     ($format:expr, $is_wanted:expr, $coder:ident => $fast:expr, $other:expr) => {{
         use octahedral::{Fast, Layout};
-        let (bits, is_wanted) = ($format.bits, $is_wanted && $format.bits > 2);
-        match $format.row.mapping {
-            Mapping::Octahedral { lattice, layout: Layout::Pair, pole_x: false, .. } if is_wanted => {
-                let $coder = Fast::<false, false>::new(lattice, bits);
+        let bits = $format.bits;
+        let fast = match $format.row.mapping {
+            Mapping::Octahedral { lattice, layout, pole_x, .. } if $is_wanted && bits > 2 => Some((lattice, layout, pole_x)),
+            _ => None,
+        };
+        with_lattice!(@each fast, bits, $coder, $fast, $other, Pair true, Pair false, Bytes888 false, Signs false, Octant false,
+            Lanes8 false, Lanes16 false)
+    }};
+    (@each $found:expr, $bits:expr, $coder:ident, $fast:expr, $other:expr, $($layout:ident $pole_x:literal),*) => {
+        match $found {
+            $(Some((lattice, Layout::$layout, $pole_x)) => {
+                let $coder = Fast::<{ Layout::$layout as u8 }, $pole_x>::new(lattice, $bits);
                 $fast
-            }
-            Mapping::Octahedral { lattice, layout: Layout::Pair, pole_x: true, .. } if is_wanted => {
-                let $coder = Fast::<false, true>::new(lattice, bits);
-                $fast
-            }
-            Mapping::Octahedral { lattice, layout: Layout::Bytes888, .. } if is_wanted => {
-                let $coder = Fast::<true, false>::new(lattice, bits);
-                $fast
-            }
+            })*
             _ => $other,
         }
-    }};
+    };
 }
 
 pub(super) use with_lattice;
