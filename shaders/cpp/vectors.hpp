@@ -16,7 +16,8 @@
 #include <math.h>
 #include <string.h>
 
-#if defined(__FAST_MATH__) || defined(__USE_FAST_MATH__) || defined(_M_FP_FAST)
+// clang defines __USE_FAST_MATH__ as 0.
+#if defined(__FAST_MATH__) || (defined(__USE_FAST_MATH__) && __USE_FAST_MATH__ + 0) || defined(_M_FP_FAST)
 #error "unitvec: fast math changes codes: compile without -ffast-math, -use_fast_math and /fp:fast"
 #endif
 #if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0

@@ -104,9 +104,27 @@ pub const NVCC: [Archive; 4] = [
     },
 ];
 
+/// What clang's mode for CUDA needs of CUDA, of the last version whose headers the clang of Debian 12 takes.
+const CUDA_11: [Archive; 2] = [
+    Archive {
+        name: "nvidia_cuda_nvcc_cu11-11.8.89",
+        url: "https://files.pythonhosted.org/packages/fc/10/02e6a5a6864f41f9aa3c7c4d6953e49d71f58c0528d2f0a1eec1ad6c090e/nvidia_cuda_nvcc_cu11-11.8.89-py3-none-manylinux2014_x86_64.whl",
+        sha256: "f8e1e995166c884f2f5bf94975d7abb89175363b8712f7f81cd38d0df1b2cd85",
+        members: "nvidia/cuda_nvcc/*",
+        file: "nvidia/cuda_nvcc/bin/ptxas",
+    },
+    Archive {
+        name: "nvidia_cuda_runtime_cu11-11.8.89",
+        url: "https://files.pythonhosted.org/packages/a6/ec/a540f28b31de7bc1ed49eecc72035d4cb77db88ead1d42f7bfa5ae407ac6/nvidia_cuda_runtime_cu11-11.8.89-py3-none-manylinux2014_x86_64.whl",
+        sha256: "92d04069a987e1fbc9213f8376d265df0f7bb42617d44f5eda1f496acea7f2d1",
+        members: "nvidia/cuda_runtime/*",
+        file: "nvidia/cuda_runtime/include/cuda.h",
+    },
+];
+
 /// The fetched compilers, for the hash of the record's inputs.
 pub fn versions() -> String {
-    format!("{:?}", (DXC, FXC, SLANG, DAWN, NVCC, CHROMIUM, PACKAGED, GPU))
+    format!("{:?}", (DXC, FXC, SLANG, DAWN, NVCC, CUDA_11, CHROMIUM, PACKAGED, GPU))
 }
 
 /// Takes the files that match a pattern out of an archive, of whatever kind.
@@ -189,6 +207,9 @@ impl Found {
         found.option("MinGW", "--mingw", setup::packages(&["g++-mingw-w64-x86-64"]));
         let [nvcc, others @ ..] = &NVCC;
         found.add("nvcc", "--nvcc", nvcc.fetch_with(others, languages));
+        let [cuda, others @ ..] = &CUDA_11;
+        found.add("CUDA by clang", "--ptxas", cuda.fetch_with(others, languages));
+        found.option("HIP", "--hip", setup::packages(&["hipcc"]));
         found.add("Chromium", "--chromium", CHROMIUM.fetch(drivers).map(|()| CHROMIUM.root(drivers)));
         let node = setup::packages(&["nodejs"]);
         found.add("Dawn", "--dawn", node.and_then(|()| DAWN.fetch(languages)));
@@ -288,7 +309,7 @@ mod tests {
 
     #[test]
     fn archives_are_pinned() {
-        for archive in [&DXC, &FXC, &SLANG, &DAWN].into_iter().chain(&NVCC) {
+        for archive in [&DXC, &FXC, &SLANG, &DAWN].into_iter().chain(&NVCC).chain(&CUDA_11) {
             let Archive { name, url, sha256, .. } = archive;
             assert!(url.starts_with("https://") && url.contains(name), "{url}");
             assert!(sha256.len() == 64 && sha256.chars().all(|c| c.is_ascii_hexdigit()), "{sha256}");

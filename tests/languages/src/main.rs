@@ -75,6 +75,12 @@ struct Options {
     /// Runs the kernels of --nvcc, on the GPU of this machine
     #[arg(long)]
     cuda: bool,
+    /// ptxas of CUDA 11, beside whose folder are its headers: clang compiles C++ as CUDA
+    #[arg(long)]
+    ptxas: Option<PathBuf>,
+    /// Compiles C++ as HIP by hipcc
+    #[arg(long)]
+    hip: bool,
     /// Runs WGSL by wgpu
     #[arg(long)]
     wgpu: bool,
@@ -182,6 +188,24 @@ impl Rows<'_> {
         if options.mingw {
             let name = format!("{} for Windows", compiler_name(MINGW));
             self.checked(&name, MINGW.as_ref(), &[&cpp::GNU, &["-std=c++11", "-fsyntax-only"]], options);
+        }
+        if let Some(ptxas) = &options.ptxas {
+            let root = |up: usize| ptxas.ancestors().nth(up).unwrap_or(ptxas).display();
+            let cuda =
+                [format!("--cuda-path={}", root(2)), format!("-isystem{}/cuda_runtime/include", root(3))];
+            let arguments = [&cpp::CUDA_BY_CLANG[..], &[&cuda[0], &cuda[1]]];
+            self.checked(
+                &format!("{} for CUDA", compiler_name("clang++")),
+                "clang++".as_ref(),
+                &arguments,
+                options,
+            );
+        }
+        if options.hip {
+            // Told of a GPU, it looks for none.
+            let version = tool::output(Command::new("hipcc").args([cpp::HIP[7], "-dumpversion"]));
+            let name = format!("clang {} for HIP", version.unwrap_or_default().trim());
+            self.checked(&name, "hipcc".as_ref(), &[&cpp::HIP], options);
         }
         if let Some(nvcc) = options.nvcc.as_deref().or(options.cuda.then_some("nvcc".as_ref())) {
             self.cuda(nvcc, options);

@@ -28,6 +28,34 @@ pub const CUDA: [&str; 7] = ["-x", "cu", "-O2", "-Werror", "all-warnings", "-Xco
 pub const ASSEMBLED: [&str; 5] =
     ["-fatbin", "-gencode", "arch=compute_75,code=sm_75", "-gencode", "arch=compute_90,code=sm_90"];
 
+/// Options for clang, which takes CUDA for known that is newer than it. The program for the host needs a tool that PyPI's
+/// packages lack.
+pub const CUDA_BY_CLANG: [&str; 10] = [
+    "-x",
+    "cuda",
+    "-O2",
+    "-Wall",
+    "-Wextra",
+    "-Werror",
+    "-Wno-unknown-cuda-version",
+    "--cuda-device-only",
+    "--cuda-gpu-arch=sm_75",
+    "-c",
+];
+
+/// Options for HIP, for GPUs of GCN 5 and RDNA 2.
+pub const HIP: [&str; 9] = [
+    "-x",
+    "hip",
+    "-O2",
+    "-Wall",
+    "-Wextra",
+    "-Werror",
+    "--offload-arch=gfx900",
+    "--offload-arch=gfx1030",
+    "-c",
+];
+
 /// Options for MSL.
 pub const MSL: [&str; 3] = ["-std=c++17", "-fno-math-errno", "-Wno-unknown-attributes"];
 

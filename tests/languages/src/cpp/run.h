@@ -1,5 +1,5 @@
 // Runs kernel number argv[1] of KERNELS, over as many elements as argv[2] says: words from the standard input, results to the
-// standard output. CUDA runs it on the device.
+// standard output. CUDA and HIP run it on the device.
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,7 +8,17 @@
 typedef unsigned int uint;
 typedef void (*Function)(const uint* words, uint* results, const uint& count, uint i);
 
-#ifdef __CUDACC__
+#ifdef __HIPCC__
+#include <hip/hip_runtime.h>
+#define cudaMalloc hipMalloc
+#define cudaMemcpy hipMemcpy
+#define cudaSuccess hipSuccess
+#define cudaGetLastError hipGetLastError
+#define cudaMemcpyHostToDevice hipMemcpyHostToDevice
+#define cudaMemcpyDeviceToHost hipMemcpyDeviceToHost
+#endif
+
+#if defined(__CUDACC__) || defined(__HIPCC__)
 template <Function function>
 __global__ void each(const uint* words, uint* results, uint count) {
     function(words, results, count, blockIdx.x * blockDim.x + threadIdx.x);
