@@ -257,7 +257,7 @@ impl Format {
     }
 
     /// [`encode`](Self::encode) of each vector, into [`bytes`](Self::bytes) little-endian bytes each, without gaps: several
-    /// at a time for pairs of integers, as [`slice`](mod@crate::slice) does.
+    /// at a time for octahedral formats, as [`slice`](mod@crate::slice) does.
     ///
     /// # Errors
     /// [`LengthMismatch`] unless `codes` is as long as the vectors' codes. Nothing is written then.

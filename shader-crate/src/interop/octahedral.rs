@@ -415,21 +415,28 @@ impl<const LAYOUT: u8, const POLE_X: bool> Coder<3> for Fast<LAYOUT, POLE_X> {
     }
 }
 
-/// `$fast`, in which `$coder` is the coder of an octahedral format that has one, where `$is_wanted`; else `$other`.
+/// `$fast`, in which `$coder` is the coder of an octahedral format that has one, where `$is_wanted`; else `$other`. Web pages
+/// fetch WebAssembly, so there only the layouts have one that most formats have.
 macro_rules! with_lattice {
     ($format:expr, $is_wanted:expr, $coder:ident => $fast:expr, $other:expr) => {{
         use octahedral::{Fast, Layout};
         let bits = $format.bits;
         let fast = match $format.row.mapping {
-            Mapping::Octahedral { lattice, layout, pole_x, .. } if $is_wanted && bits > 2 => Some((lattice, layout, pole_x)),
+            Mapping::Octahedral { lattice, layout, pole_x, .. } if $is_wanted && bits > 2 => {
+                Some((layout, pole_x, lattice))
+            }
             _ => None,
         };
-        with_lattice!(@each fast, bits, $coder, $fast, $other, Pair true, Pair false, Bytes888 false, Signs false, Octant false,
-            Lanes8 false, Lanes16 false)
+        with_lattice!(@each fast, bits, $coder => $fast, $other,
+            Pair true any(), Pair false any(), Bytes888 false any(), Signs false target_family = "wasm",
+            Octant false target_family = "wasm", Lanes8 false target_family = "wasm",
+            Lanes16 false target_family = "wasm")
     }};
-    (@each $found:expr, $bits:expr, $coder:ident, $fast:expr, $other:expr, $($layout:ident $pole_x:literal),*) => {
+    (@each $found:expr, $bits:expr, $coder:ident => $fast:expr, $other:expr,
+        $($layout:ident $pole_x:literal $unless:meta),*) => {
         match $found {
-            $(Some((lattice, Layout::$layout, $pole_x)) => {
+            $(#[cfg(not($unless))]
+            Some((Layout::$layout, $pole_x, lattice)) => {
                 let $coder = Fast::<{ Layout::$layout as u8 }, $pole_x>::new(lattice, $bits);
                 $fast
             })*
