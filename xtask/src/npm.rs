@@ -91,7 +91,7 @@ fn test(folder: &Path, narrow: &Path, all: bool, record: bool) -> Result<(), Str
     let here = Path::new("node");
     run_command(tests(here, &TESTS).envs(chromium()?))?;
     run_command(tests(here, &["bits"]).env("UNITVEC_WASM", narrow.join("unitvec.wasm")))?;
-    let mut engines = tests(here, &["gltf-codes", "engines"]);
+    let mut engines = tests(here, &["gltf-codes", "engines", "textures"]);
     run_command(engines.envs(chromium()?).envs(record.then_some(("UNITVEC_RECORD", "1"))))?;
     OTHER_NODES.iter().try_for_each(|name| {
         run_command(&mut tests(&folder.join("node_modules").join(name).join("bin/node"), &TESTS))
