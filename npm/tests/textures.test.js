@@ -76,3 +76,29 @@ test("three.js", { skip: !process.env.UNITVEC_CHROMIUM }, async () => {
     await rm(folder, { recursive: true });
   }
 });
+
+const TEXELS = [
+  { format: "RG8_SNORM", most: 127, bytes: [-127, 3, 127, 90, 40, -100, -77, 127] },
+  { format: "RG8", most: 255, bytes: [0, 3, 255, 90, 40, 100, 77, 254] },
+];
+// Places at all fractions of 8 bits, the first and the last texel among them.
+const SIDE = 257;
+// Roundings of sums of floats of at most 1.
+const ROUNDING = 2 ** -22;
+
+// The tables of docs/filtering.md come from this blend of channels, by fractions of 8 bits, in float64.
+for (const { format, most, bytes } of TEXELS) {
+  test(`a sampler of ${format}`, { skip: !process.env.UNITVEC_CHROMIUM }, async () => {
+    const call = `page.sampled("${format}", ${JSON.stringify(bytes)}, ${SIDE})`;
+    const { result, messages } = await inBrowser({ entry: "tests/engines/sampler.js", call });
+    const [error, ...found] = result;
+    assert.deepEqual([error, messages, found.length], [0, [], 2 * SIDE ** 2]);
+    found.forEach((sample, i) => {
+      const [channel, x, y] = [i % 2, (i >> 1) % SIDE, Math.floor(i / 2 / SIDE)];
+      const [a, b] = [x, y].map((place) => place / (SIDE - 1));
+      const [p, q, r, s] = [0, 1, 2, 3].map((texel) => bytes[2 * texel + channel] / most);
+      const blend = (p * (1 - a) + q * a) * (1 - b) + (r * (1 - a) + s * a) * b;
+      assert.ok(Math.abs(sample - blend) < ROUNDING, `${x}, ${y}: ${sample}, not ${blend}`);
+    });
+  });
+}
