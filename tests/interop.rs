@@ -149,7 +149,16 @@ fn any_input_gets_a_code_and_none_the_null_code() {
 #[test]
 fn slices_are_single_vectors() {
     for format in Format::all() {
-        let vectors: Vec<Vec3> = directions(45, 40).chain([Vec3::ZERO, -Vec3::Z, Vec3::NAN]).collect();
+        let special = [
+            Vec3::ZERO,
+            -Vec3::Z,
+            Vec3::NAN,
+            Vec3::new(-1e-20, 1e-18, 1e26),
+            Vec3::new(1e-27, -1e-18, -1e14),
+        ];
+        // Near the pole's opposite, which all corners of the square stand for.
+        let far = directions(46, 20).map(|v| v * 0.05 - Vec3::Z);
+        let vectors: Vec<Vec3> = directions(45, 40).chain(far).chain(special).collect();
         for format in [format, format.plain()] {
             let bytes = format.bytes();
             let expected: Vec<u8> = vectors

@@ -229,14 +229,15 @@ impl Format {
 
     /// [`encode`](Self::encode), to the low and the high word.
     #[doc(hidden)]
-    pub fn encode_words(self, v: [f32; 3]) -> [u32; 2] {
-        let v = usable(v);
+    pub fn encode_words(self, direction: [f32; 3]) -> [u32; 2] {
+        let v = usable(direction);
         match self.row.mapping {
             Mapping::Octahedral { layout, plain, .. } if self.is_plain => {
                 layout.code(plain(v, self.bits), self.bits)
             }
             Mapping::Octahedral { lattice, layout, pole_x, .. } => {
-                lattice.nearest_code(v, self.bits, pole_x, layout)
+                // Of any length, as in slices: scaled, a component that becomes 0 would lose its sign.
+                lattice.nearest_code(or_z(direction.into()).0, self.bits, pole_x, layout)
             }
             Mapping::Tetrahedron => tetrahedron::encode(v, self.is_plain),
             Mapping::Snorm => components::encode(v, self.bits, self.is_plain),

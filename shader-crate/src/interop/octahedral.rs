@@ -63,9 +63,9 @@ impl Lattice {
         // Of 2 bits, the nearest may be one beyond the square, which is the pole's opposite as well.
         let at = if at.x + at.y == 2.0 * m { Vec2::splat(m) } else { at };
         let e = signed(at, v, m, pole_x);
+        let e = if layout.rounds() { searched(v, e, m, layout.most()) } else { e };
         // Of the corners, which are one direction, that of code 0 may stand for no vector.
         let e = if e == Vec2::splat(-m) { -e } else { e };
-        let e = if layout.rounds() { searched(v, e, m, layout.most()) } else { e };
         layout.code([whole(e.x + offset), whole(e.y + offset)], bits)
     }
 
@@ -388,12 +388,7 @@ impl<const LAYOUT: u8, const POLE_X: bool> Coder<3> for Fast<LAYOUT, POLE_X> {
         let norm = l1_norm(v);
         let m = self.largest;
         let e = signed(nearest(v, norm, m, if POLE_X { 0.0 } else { self.middle }), v, m, POLE_X);
-        let e = if Self::LAYOUT.rounds() {
-            let e = if (e.x == -m) & (e.y == -m) { -e } else { e };
-            searched(v, e, m, Self::LAYOUT.most())
-        } else {
-            e
-        };
+        let e = if Self::LAYOUT.rounds() { searched(v, e, m, Self::LAYOUT.most()) } else { e };
         // The sum of halves of steps is exact; the number is above its last bit.
         let (x, y) = (e.x + (self.offset + HALVES), e.y + (self.offset + HALVES));
         let bits = if matches!(Self::LAYOUT, Layout::Pair | Layout::Bytes888) { 0 } else { HALVES.to_bits() };

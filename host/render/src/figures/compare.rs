@@ -1,5 +1,6 @@
 //! Differences between a picture and the one that it should be.
 
+use super::flip::flip;
 use image::RgbImage;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -13,6 +14,9 @@ pub struct Difference {
     pub max: u8,
     /// Structural similarity of the brightness (Wang et al. 2004): 1 for equal pictures.
     pub ssim: f64,
+    /// What an eye sees of it when it flips between the two, at 67 pixels a degree (Andersson et al. 2020): 0 for equal pictures,
+    /// 1 at most.
+    pub flip: f64,
 }
 
 impl Difference {
@@ -22,12 +26,18 @@ impl Difference {
         let (sum, max) = steps
             .fold(|| (0u64, 0), |(sum, max), step| (sum + u64::from(step), max.max(step)))
             .reduce(|| (0, 0), |(sum, max), (other, other_max): (u64, u8)| (sum + other, max.max(other_max)));
-        Self { mean: sum as f64 / a.as_raw().len().max(1) as f64, max, ssim: ssim(a, b) }
+        Self { mean: sum as f64 / a.as_raw().len().max(1) as f64, max, ssim: ssim(a, b), flip: flip(a, b) }
     }
 
     /// Formats the difference in one line.
     pub fn in_words(&self) -> String {
-        format!("mean {:.2} max {} SSIM {:.3}", self.mean, self.max, self.ssim)
+        format!("mean {:.2} max {} SSIM {:.3} FLIP {:.3}", self.mean, self.max, self.ssim, self.flip)
+    }
+
+    /// The numbers as tables have them: the mean, the largest, SSIM and FLIP.
+    pub fn cells(&self) -> [String; 4] {
+        let Self { mean, max, ssim, flip } = self;
+        [format!("{mean:.3}"), max.to_string(), format!("{ssim:.4}"), format!("{flip:.4}")]
     }
 }
 
@@ -112,11 +122,11 @@ mod tests {
     fn differences_are_counted() {
         let a = RgbImage::from_pixel(16, 16, Rgb([10, 20, 30]));
         let mut b = a.clone();
-        assert_eq!(Difference::of(&a, &b), Difference { mean: 0.0, max: 0, ssim: 1.0 });
+        assert_eq!(Difference::of(&a, &b), Difference { mean: 0.0, max: 0, ssim: 1.0, flip: 0.0 });
         b.put_pixel(12, 14, Rgb([10, 26, 0]));
         let difference = Difference::of(&a, &b);
         assert_eq!((difference.mean, difference.max), (36.0 / 768.0, 30));
-        assert!(difference.ssim < 1.0);
+        assert!(difference.ssim < 1.0 && difference.flip > 0.0);
         assert_eq!(amplified(&a, &b, 8).get_pixel(12, 14), &Rgb([0, 48, 240]));
         let mut pixels = [false; 256];
         pixels[14 * 16 + 12] = true;

@@ -202,10 +202,10 @@ impl Figure {
         for shown in self.pictures.iter().filter(|shown| shown.of.is_none()) {
             let _ = write!(text, "\n![{}]({})\n", shown.alt, shown.file);
             if !shown.differences.is_empty() {
-                *text += "\n| picture | mean difference | largest | SSIM |\n|---|---|---|---|\n";
+                *text += "\n| picture | mean difference | largest | SSIM | FLIP |\n|---|---|---|---|---|\n";
             }
-            for Labelled { label, difference: Difference { mean, max, ssim } } in &shown.differences {
-                let _ = writeln!(text, "| {label} | {mean:.3} | {max} | {ssim:.4} |");
+            for Labelled { label, difference } in &shown.differences {
+                let _ = writeln!(text, "| {label} | {} |", difference.cells().join(" | "));
             }
         }
         if !self.numbers.is_empty() {

@@ -9,6 +9,7 @@ mod earlier;
 mod errors;
 mod figure;
 mod filtering;
+mod flip;
 mod latlong;
 pub mod model;
 mod paint;

@@ -8,7 +8,7 @@ mod viewer;
 
 pub use tables::{Machine, shipped_costs, work};
 
-use crate::figures::{Difference, Figure, Figures, Labelled, Shown};
+use crate::figures::{Figure, Figures, Labelled, Shown};
 use crate::{Error, Result, conform};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -116,10 +116,10 @@ fn page_figure(figure: &Figure, files: &Files) -> Result<(Value, bool)> {
         figure.pictures.iter().partition(|shown| shown.of.is_some());
     let picture = |shown: &&Shown| {
         let differences = shown.differences.iter().map(|Labelled { label, difference }| {
-            let Difference { mean, max, ssim } = difference;
-            [label.clone(), format!("{mean:.3}"), max.to_string(), format!("{ssim:.4}")]
+            let [mean, max, ssim, flip] = difference.cells();
+            [label.clone(), mean, max, ssim, flip]
         });
-        let differences: Vec<[String; 4]> = differences.collect();
+        let differences: Vec<[String; 5]> = differences.collect();
         Ok(context! { uri => uri(&shown.file, files)?, alt => shown.alt, size => shown.size, differences })
     };
     let numbers = figure.numbers.iter().map(|number| [number.name.clone(), number.in_words()]);

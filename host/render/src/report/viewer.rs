@@ -126,7 +126,7 @@ mod tests {
     #[test]
     fn sheets_are_cut() {
         let json = r#"{"device": null, "version": "1", "figures": [{"id": "8", "title": "", "caption": "", "numbers": [],
-            "pictures": [{"file": "a.png", "alt": "", "differences": [{"label": "oct16P", "mean": 1.0, "max": 2, "ssim": 0.5}]}]}]}"#;
+            "pictures": [{"file": "a.png", "alt": "", "differences": [{"label": "oct16P", "mean": 1.0, "max": 2, "ssim": 0.5, "flip": 0.25}]}]}]}"#;
         let mut figures: Figures = serde_json::from_str(json).unwrap();
         let mut png = std::io::Cursor::new(Vec::new());
         image::RgbImage::new(20, 10).write_to(&mut png, image::ImageFormat::Png).unwrap();
@@ -141,7 +141,7 @@ mod tests {
         let viewer = of_figures(&figures).unwrap().unwrap();
         assert_eq!((viewer.width, viewer.height, viewer.scale), (10, 10, 64));
         assert_eq!(viewer.codecs, ["oct16p"]);
-        assert_eq!(viewer.pictures["mirror/oct16p"].words, "mean 1.00 max 2 SSIM 0.500");
+        assert_eq!(viewer.pictures["mirror/oct16p"].words, "mean 1.00 max 2 SSIM 0.500 FLIP 0.250");
         figures.figures[0].pictures[0].cells[1].place[0] = 11;
         assert!(of_figures(&figures).is_err_and(|error| error.to_string().contains("no part")));
     }
