@@ -43,8 +43,10 @@ const EDGES: f64 = 0.5;
 pub fn flip(a: &RgbImage, b: &RgbImage) -> f64 {
     let [a, b] = [a, b].map(Seen::new);
     let pixels = a.colours.par_iter().zip(&b.colours).zip(a.features.par_iter().zip(&b.features));
-    let sum: f64 = pixels.map(|((a, b), (of_a, of_b))| difference([*a, *b], [*of_a, *of_b])).sum();
-    sum / a.colours.len().max(1) as f64
+    // Summed in one order, so that the same pictures have the same mean.
+    let differences: Vec<f64> =
+        pixels.map(|((a, b), (of_a, of_b))| difference([*a, *b], [*of_a, *of_b])).collect();
+    differences.iter().sum::<f64>() / differences.len().max(1) as f64
 }
 
 /// The difference of a pixel: section 4.3.
