@@ -2,6 +2,7 @@
 
 use crate::faults::fails;
 use crate::snap::succeeds;
+use base64::Engine;
 use serde_json::Value;
 use std::path::Path;
 use unitvec::angle_deg;
@@ -72,6 +73,59 @@ fn the_worst_view_is_found() {
     assert!(told.trim_end().ends_with(",-1"), "{told}");
     let told = succeeds(folder.path(), "compare --codec oct16 a.obj --side 64 --samples 1 --view -1,2,0.5");
     assert!(told.trim_end().ends_with("seen from -1,2,0.5"), "{told}");
+}
+
+/// A square in glTF with this material and these images.
+fn textured(material: &str, images: &str) -> Vec<u8> {
+    let corners = [[-1.0f32, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let positions = corners.iter().flat_map(|[x, y]| [*x, *y, 0.0]);
+    let texture = corners.iter().flat_map(|[x, y]| [0.5 + 0.5 * x, 0.5 - 0.5 * y]);
+    let floats: Vec<u8> = positions.chain(texture).flat_map(f32::to_le_bytes).collect();
+    let indices: Vec<u8> = [0u16, 1, 2, 0, 2, 3].into_iter().flat_map(u16::to_le_bytes).collect();
+    let buffer = base64::engine::general_purpose::STANDARD.encode([floats, indices].concat());
+    format!(
+        r#"{{"asset":{{"version":"2.0"}},"buffers":[{{"byteLength":92,"uri":"data:;base64,{buffer}"}}],
+        "bufferViews":[{{"buffer":0,"byteLength":48}},{{"buffer":0,"byteOffset":48,"byteLength":32}},{{"buffer":0,"byteOffset":80,"byteLength":12}}],
+        "accessors":[{{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[-1,-1,0],"max":[1,1,0]}},
+        {{"bufferView":1,"componentType":5126,"count":4,"type":"VEC2"}},{{"bufferView":2,"componentType":5123,"count":6,"type":"SCALAR"}}],
+        "textures":[{{"source":0}}],"images":[{images}],"materials":[{{{material}}}],
+        "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0,"TEXCOORD_0":1}},"indices":2,"material":0}}]}}]}}"#
+    )
+    .into_bytes()
+}
+
+/// The normal map of a material is shown, under tangents by MikkTSpace: a flat square, whose normal has a code, then shows errors
+/// of none, but other pictures than without. What cannot be shown is told.
+#[test]
+fn normal_maps_are_shown() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::copy(repository().join("host/texture/data/waves.png"), folder.path().join("waves.png")).unwrap();
+    let waves = r#"{"uri":"waves.png"}"#;
+    let normal = r#""normalTexture":{"index":0}"#;
+    let page = |material: &str, images: &str| {
+        std::fs::write(folder.path().join("a.gltf"), textured(material, images)).unwrap();
+        succeeds(folder.path(), "compare --codec oct16 a.gltf --side 64 --samples 1 --view 0,0.3,1");
+        std::fs::read_to_string(folder.path().join("compare.html")).unwrap()
+    };
+    let (plain, mapped) = (page("", ""), page(normal, waves));
+    let told = "<p>The mesh is shown with its normal texture 0, whose vectors are not in codes.</p>";
+    assert!(mapped.contains(told) && !plain.contains("normal texture"));
+    let pictures = |page: &str| page.matches("data:image/png;base64,").count();
+    assert_eq!(pictures(&plain), pictures(&mapped));
+    let no_error = "the mean at its pixels is 0.000000 degrees";
+    assert!(mapped.contains(no_error) || mapped.contains("the mean at its pixels is 0 degrees"), "{mapped}");
+    assert!(mapped.len() > plain.len() + 1000, "{} {}", mapped.len(), plain.len());
+    for (material, images, words) in [
+        (normal, r#"{"uri":"none.png"}"#, "cannot read"),
+        (normal, r#"{"uri":"../none.png"}"#, "leaves the folder of the file"),
+        (normal, r#"{"uri":"a.gltf"}"#, "is no png, tga, exr, ktx2 or dds"),
+        (normal, r#"{"bufferView":7}"#, "has not the bytes of a picture"),
+        (normal, "", "it has no image"),
+        (r#""normalTexture":{"index":0,"texCoord":1}"#, waves, "does not use the first texture coordinates"),
+    ] {
+        let page = page(material, images);
+        assert!(page.contains("The normal texture 0 is not shown: ") && page.contains(words), "{words}");
+    }
 }
 
 #[test]

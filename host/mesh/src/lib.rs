@@ -24,7 +24,7 @@ use unitvec_files::one_line;
 
 pub use format::FileFormat;
 pub use obj::parse as read_obj;
-pub use shape::{Generated, Shape};
+pub use shape::{Generated, NormalTexture, Shape};
 
 /// The Stanford bunny as OBJ: the mesh that conformance runs and pictures take.
 pub const BUNNY: &[u8] = include_bytes!("../data/bunny.obj");

@@ -5,6 +5,7 @@ use crate::{Frames, MeshError, Part, list_of};
 use glam::Vec3;
 use std::collections::HashMap;
 use std::path::Path;
+use std::sync::Arc;
 
 /// Vertices and triangles. Nodes, skins and morph targets of glTF are not applied.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,6 +18,22 @@ pub struct Shape {
     pub texture: Vec<[f32; 2]>,
     /// Three vertices each, all of them there.
     pub triangles: Vec<[u32; 3]>,
+    /// Tangents of the vertices and signs of their bitangents, where there is a normal map; of the file, or by MikkTSpace. 0
+    /// for none.
+    pub tangents: Vec<[f32; 4]>,
+    /// The normal map of a glTF material, that of the first primitive with these vertices.
+    pub normal_map: Option<Arc<NormalTexture>>,
+}
+
+/// A normal map of tangent space, y up, as a material names it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NormalTexture {
+    /// `normal texture 0`, the number of the texture in the file.
+    pub name: String,
+    /// The factor of x and y.
+    pub scale: f32,
+    /// The bytes of the picture's file, or why they cannot be had, in one line.
+    pub picture: Result<Vec<u8>, String>,
 }
 
 /// The frames of a file with one shape, whose normals may be computed.

@@ -89,7 +89,7 @@ pub(crate) fn file_of(path: &Path, uri: &str, reach: Reach) -> Result<PathBuf, S
     Ok(path.with_file_name(name.as_ref()))
 }
 
-fn decode_data(data: &str) -> Result<Vec<u8>, String> {
+pub(super) fn decode_data(data: &str) -> Result<Vec<u8>, String> {
     // Exporters differ over the padding.
     const LENIENT: GeneralPurposeConfig =
         GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);

@@ -23,6 +23,7 @@ pub(crate) struct Primitives {
 pub(crate) struct Primitive {
     attributes: Attributes,
     pub(super) indices: Option<u32>,
+    pub(super) material: Option<u32>,
     #[serde(default)]
     pub(super) mode: Checked<Mode>,
 }

@@ -6,6 +6,7 @@ pub(super) mod document;
 pub(super) mod shape;
 #[cfg(test)]
 mod tests;
+mod texture;
 
 use std::borrow::Cow;
 use std::collections::hash_map::Entry;

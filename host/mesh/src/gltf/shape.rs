@@ -1,7 +1,8 @@
 //! Whole vertices of primitives: positions, normals, texture coordinates and triangles.
 
 use super::document::Primitive;
-use super::{File, load, triangles};
+use super::texture::Appearance;
+use super::{File, chunks, load, triangles};
 use crate::faces::resolve;
 use crate::shape::Shape;
 use crate::{MeshError, Reach, list_of};
@@ -20,6 +21,7 @@ pub(super) fn key(primitive: &Primitive) -> Key {
 /// Reads the shapes of a file, in the order of their first primitives.
 pub(crate) fn parse_shapes(path: &Path, bytes: &[u8], reach: Reach) -> Result<Vec<Shape>, MeshError> {
     let file = load(path, bytes, reach, &[Positions, Normals, TexCoords(0)])?;
+    let appearance = Appearance::of_json(&chunks(path, bytes)?.0);
     let groups = file.grouped(|primitive| Some(key(primitive)))?;
     let (mut shapes, mut seen, mut vertices) = (Vec::new(), HashSet::new(), 0_usize);
     for (.., primitive) in file.primitives().filter(|(.., primitive)| seen.insert(key(primitive))) {
@@ -27,7 +29,9 @@ pub(crate) fn parse_shapes(path: &Path, bytes: &[u8], reach: Reach) -> Result<Ve
         file.check_vertices(vertices)?;
         let shape = file.shape(primitive, &groups)?;
         if !shape.triangles.is_empty() {
-            shapes.push(shape.with_normals(path)?);
+            let mut shape = shape.with_normals(path)?;
+            appearance.add(&file, primitive, reach, &mut shape)?;
+            shapes.push(shape);
         }
     }
     if shapes.is_empty() {
@@ -58,7 +62,7 @@ impl File<'_> {
     }
 
     /// An attribute of each vertex; none where the primitive lacks it.
-    fn all<const N: usize>(
+    pub(super) fn all<const N: usize>(
         &self,
         primitive: &Primitive,
         semantic: Semantic,

@@ -2,6 +2,7 @@ use super::figures::Rendering;
 use super::run::{Json, Live, close};
 use super::{Buffers, degrees, is_mesh, status_after_validation};
 use clap::Args;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unitvec_catalogue::{AnyCodec, Element, Measure, find_any};
@@ -10,7 +11,8 @@ use unitvec_host::input::{Elements, FileName, Input, Kind};
 use unitvec_host::loss::{Meter, Report, Row};
 use unitvec_host::stream::Named;
 use unitvec_host::{Error, Result};
-use unitvec_mesh::parse_shapes;
+use unitvec_mesh::{NormalTexture, Shape, parse_shapes};
+use unitvec_render::figures::detail::NormalMap;
 use unitvec_render::figures::model::{Options, compare, ply};
 use unitvec_render::report::model::{Contents, html};
 use unitvec_run::backend::Cpu;
@@ -38,7 +40,7 @@ pub struct Arguments {
     json: Json,
     #[command(flatten)]
     rendering: Rendering,
-    /// Mesh file with faces: .obj, .ply, .gltf, .glb.
+    /// Mesh file with faces: .obj, .ply, .gltf, .glb. The normal map of a glTF material is shown, if it is no jpeg.
     mesh: PathBuf,
 }
 
@@ -71,7 +73,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let live = Live::new(None, "{spinner} pictures, {elapsed}", true);
     let device = rendering.vulkan.device_for_graphics()?;
     let Rendering { samples, source, .. } = *rendering;
-    let options = Options { codecs, view: arguments.view, side: arguments.side, samples, source };
+    let (maps, told) = normal_maps(&shapes);
+    let options = Options { codecs, view: arguments.view, side: arguments.side, samples, source, maps };
     let compared = compare(&device, &shapes, &options)?;
     live.finish();
     let contents = Contents {
@@ -80,7 +83,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         is_worst: arguments.view.is_none(),
         device: device.info(),
         errors: rows(&errors),
-        notes: notes(&errors),
+        notes: [notes(&errors), told].concat(),
     };
     super::write_output(page, html(&contents)?.as_bytes())?;
     if let (Some(path), Some(first)) = (&arguments.ply, compared.codecs.first()) {
@@ -114,6 +117,26 @@ fn errors(mesh: &Path, codecs: &[&'static AnyCodec], kind: Kind) -> Result<Repor
     let is_computed = elements.parts.is_some_and(|parts| parts.iter().any(|part| part.computed));
     let computed = is_computed.then(|| FileName::from(mesh)).into_iter().collect();
     Ok(Report { computed, ..meter.report() })
+}
+
+/// The normal map of each shape that has one, and what is to be told of them.
+fn normal_maps(shapes: &[Shape]) -> (Vec<Option<NormalMap>>, Vec<String>) {
+    let mut told = BTreeSet::new();
+    let mut read = |texture: &NormalTexture| {
+        let bytes = texture.picture.as_ref().map_err(Clone::clone);
+        let source = bytes.and_then(|bytes| {
+            let source = unitvec_texture::read(Path::new(&texture.name), bytes, None);
+            source.map_err(|error| error.to_string())
+        });
+        told.insert(match &source {
+            Ok(_) => format!("The mesh is shown with its {}, whose vectors are not in codes.", texture.name),
+            Err(error) => format!("The {} is not shown: {error}.", texture.name),
+        });
+        let map = source.ok()?.map;
+        Some(NormalMap { size: [map.width, map.height], texels: map.vectors, scale: texture.scale })
+    };
+    let maps = shapes.iter().map(|shape| shape.normal_map.as_deref().and_then(&mut read)).collect();
+    (maps, told.into_iter().collect())
 }
 
 fn rows(report: &Report) -> Vec<[String; 7]> {

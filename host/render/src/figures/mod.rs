@@ -4,6 +4,7 @@ mod camera;
 mod canvas;
 mod caps;
 mod compare;
+pub mod detail;
 mod dither;
 mod earlier;
 mod errors;

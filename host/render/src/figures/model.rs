@@ -1,6 +1,7 @@
 //! A mesh of one's own: with its normals, and with those that codecs decode to.
 
 use super::compare::{Difference, amplified, mean};
+use super::detail::{Detail, NormalMap};
 use super::errors::heat;
 use super::paint::to_srgb;
 use crate::renderer::{decoded, encoded};
@@ -25,6 +26,8 @@ pub struct Options {
     pub samples: u32,
     /// The language of the shaders: Rust or GLSL.
     pub source: BackendKind,
+    /// The normal map of each shape that has one.
+    pub maps: Vec<Option<NormalMap>>,
 }
 
 /// A model beside itself.
@@ -71,13 +74,19 @@ fn views() -> impl Iterator<Item = [f32; 3]> {
 /// # Errors
 /// Any error of encoding and of rendering.
 pub fn compare(device: &Arc<Device>, shapes: &[Shape], options: &Options) -> Result<Compared> {
-    let own = shapes::of_shapes(shapes);
     let raw: Vec<[f32; 3]> = shapes.iter().flat_map(|shape| &shape.normals).copied().collect();
-    let bodies = options.codecs.iter().map(|codec| {
-        let normals = decoded(codec, &encoded(codec, &raw)?)?;
-        Ok(Body { normals, ..own.clone() })
-    });
-    let bodies = bodies.collect::<Result<Vec<Body>>>()?;
+    let coded = options.codecs.iter().map(|codec| decoded(codec, &encoded(codec, &raw)?));
+    let coded = coded.collect::<Result<Vec<_>>>()?;
+    let detail = options.maps.iter().any(Option::is_some).then(|| Detail::new(shapes, &options.maps));
+    let own = match &detail {
+        Some(detail) => Body { normals: detail.normals(&raw), ..shapes::of_shapes(&detail.shapes) },
+        None => shapes::of_shapes(shapes),
+    };
+    let body = |normals: &Vec<[f32; 3]>| {
+        let normals = detail.as_ref().map_or_else(|| normals.clone(), |detail| detail.normals(normals));
+        Body { normals, ..own.clone() }
+    };
+    let bodies: Vec<Body> = coded.iter().map(body).collect();
     let view = match options.view {
         Some(view) => view,
         None => worst_view(device, options.source, &own, &bodies)?,
@@ -86,10 +95,10 @@ pub fn compare(device: &Arc<Device>, shapes: &[Shape], options: &Options) -> Res
     let mut renderer = Renderer::new(device, options.source, size, options.samples)?;
     let (pictures, normals) = drawn(&mut renderer, &own, view)?;
     let mut codecs = Vec::new();
-    for (codec, body) in options.codecs.iter().zip(&bodies) {
+    for ((codec, decoded), body) in options.codecs.iter().zip(&coded).zip(&bodies) {
         let (coded, coded_normals) = drawn(&mut renderer, body, view)?;
         let errors_deg: Vec<f64> =
-            raw.iter().zip(&body.normals).map(|(own, coded)| error_deg(*own, *coded)).collect();
+            raw.iter().zip(decoded).map(|(own, coded)| error_deg(*own, *coded)).collect();
         let greatest_deg = errors_deg.iter().copied().fold(0.0, f64::max);
         let errors = errors_at_pixels(&normals, &coded_normals);
         let pairs = pictures.iter().zip(coded).map(|((material, own), (_, coded))| {

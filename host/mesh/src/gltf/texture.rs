@@ -1,0 +1,123 @@
+//! The normal maps of a file's materials, as the files that they are.
+
+use super::document::Primitive;
+use super::{File, buffers};
+use crate::shape::{NormalTexture, Shape};
+use crate::{Generated, MeshError, Reach};
+use ::gltf::Semantic::Tangents;
+use ::gltf::accessor::Dimensions;
+use serde::Deserialize;
+use std::sync::Arc;
+use unitvec_files::{one_line, read_start};
+
+/// Bytes of a picture that are read: 16384 by 16384 texels of four bytes.
+const MOST: u64 = 1 << 30;
+
+/// The part of a document that normal maps depend on.
+#[derive(Default, Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub(super) struct Appearance {
+    materials: Vec<Material>,
+    textures: Vec<Texture>,
+    images: Vec<Image>,
+    buffer_views: Vec<View>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+struct Material {
+    normal_texture: Option<Reference>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+struct Reference {
+    index: usize,
+    #[serde(default)]
+    tex_coord: u32,
+    scale: Option<f32>,
+}
+
+#[derive(Deserialize)]
+struct Texture {
+    source: Option<usize>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+struct Image {
+    uri: Option<Box<str>>,
+    buffer_view: Option<usize>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+struct View {
+    buffer: usize,
+    #[serde(default)]
+    byte_offset: usize,
+    byte_length: usize,
+}
+
+impl Appearance {
+    /// The part in a document's JSON; nothing where it is damaged, since geometry can be read without it.
+    pub(super) fn of_json(json: &[u8]) -> Self {
+        serde_json::from_slice(json).unwrap_or_default()
+    }
+
+    /// Gives a shape the normal map of the primitive's material, where it has one, and the tangents that it needs.
+    pub(super) fn add(
+        &self,
+        file: &File<'_>,
+        primitive: &Primitive,
+        reach: Reach,
+        shape: &mut Shape,
+    ) -> Result<(), MeshError> {
+        let material = primitive.material.and_then(|at| self.materials.get(at as usize));
+        let Some(reference) = material.and_then(|material| material.normal_texture.as_ref()) else {
+            return Ok(());
+        };
+        let name = format!("normal texture {}", reference.index);
+        let picture = match shape.texture.is_empty() || reference.tex_coord != 0 {
+            true => Err("it does not use the first texture coordinates".to_owned()),
+            false => self.picture(file, reference, reach),
+        };
+        let scale = reference.scale.filter(|scale| scale.is_finite()).unwrap_or(1.0);
+        if picture.is_ok() {
+            // Those of a buffer that nothing else is in are not read.
+            shape.tangents = file.all(primitive, Tangents, Dimensions::Vec4).unwrap_or_default();
+        }
+        if picture.is_ok() && shape.tangents.is_empty() {
+            let frames = shape.frames(file.path, -1.0, &mut Generated::default())?;
+            shape.tangents = frames.iter().map(|[.., x, y, z, sign]| [*x, *y, *z, *sign]).collect();
+        }
+        shape.normal_map = Some(Arc::new(NormalTexture { name, scale, picture }));
+        Ok(())
+    }
+
+    fn picture(&self, file: &File<'_>, reference: &Reference, reach: Reach) -> Result<Vec<u8>, String> {
+        let source = self.textures.get(reference.index).and_then(|texture| texture.source);
+        let image = source.and_then(|source| self.images.get(source)).ok_or("it has no image")?;
+        let read = |uri: &str| match uri.strip_prefix("data:") {
+            Some(data) => buffers::decode_data(data),
+            None => {
+                let picture = buffers::file_of(file.path, uri, reach)?;
+                read_start(&picture, MOST)
+                    .map_err(|error| format!("cannot read {}: {error}", picture.display()))
+            }
+        };
+        match (&image.uri, image.buffer_view) {
+            (Some(uri), _) => read(uri).map_err(one_line),
+            (None, Some(view)) => {
+                let bytes = self.buffer_views.get(view).and_then(|view| {
+                    let end = view.byte_offset.checked_add(view.byte_length)?;
+                    file.buffers.get(view.buffer)?.get(view.byte_offset..end)
+                });
+                bytes
+                    .map(<[u8]>::to_vec)
+                    .ok_or_else(|| "its buffer view has not the bytes of a picture".to_owned())
+            }
+            (None, None) => Err("its image has neither a URI nor a buffer view".to_owned()),
+        }
+    }
+}
