@@ -222,7 +222,7 @@ mod tests {
                 else {
                     continue;
                 };
-                for pattern in patterns.split(' ') {
+                for pattern in patterns.split(' ').map(|pattern| pattern.trim_start_matches('!')) {
                     assert!(files.matching(pattern).next().is_some(), "{}: {pattern}", record.name);
                 }
             }

@@ -13,7 +13,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::process::{Command, Stdio};
 
-/// A part of a hash's input: files by patterns, which are paths with `*` for anything, or versions.
+/// A part of a hash's input: files by patterns, which are paths with `*` for anything, but for those after a `!`; or versions.
 #[derive(Clone, Copy)]
 pub enum Source {
     /// Files, whole.
@@ -54,8 +54,11 @@ impl Record {
     }
 }
 
-/// The arithmetic on the CPU, which is also what modules are compiled from.
-const CODECS: &[Source] = &[Code("shader-crate/src/*.rs")];
+/// The crate on the CPU.
+const CRATE: &[Source] = &[Code("shader-crate/src/*.rs")];
+/// The codecs, and what modules are compiled from: slices and formats of other software are for CPUs, and call them.
+const CODECS: &[Source] =
+    &[Code("shader-crate/src/*.rs !shader-crate/src/slice/*.rs !shader-crate/src/interop/*.rs")];
 /// The arithmetic on GPUs, as compiled. Code of the CPU that the modules do not have is left to conform and the digests, which
 /// hold both together on every run.
 const KERNELS: &[Source] = &[Bytes("spirv/kernels/*")];
@@ -156,7 +159,7 @@ pub static RECORDS: &[Record] = &[
         outputs: &[Bytes("c/src/codecs.rs c/include/unitvec.h")],
         from: "the list and its bounds, `c/src/`, `c/cbindgen.toml`",
         // Comments are in the header.
-        inputs: &[CODECS, &[Bytes("c/src/*.rs c/cbindgen.toml")]],
+        inputs: &[CRATE, &[Bytes("c/src/*.rs c/cbindgen.toml")]],
         renew: || bless(&["c_abi::text::sources_and_header_are_renewed"]),
         ..FILE
     },
@@ -180,7 +183,7 @@ pub static RECORDS: &[Record] = &[
         from: "the codecs, plain, dithered and as projections, on the CPU",
         // The search for the worst direction, and the sample, decide the last digits.
         inputs: &[
-            CODECS,
+            CRATE,
             &[
                 Code("host/lab/src/accuracy/meyer.rs host/run/src/sampling/*.rs"),
                 Bytes("shaders/blue_noise_64x64.rg8"),
@@ -282,7 +285,7 @@ pub static RECORDS: &[Record] = &[
     Record {
         name: "agreement",
         from: "CPU, modules, GLSL, HLSL and WGSL on lavapipe: a run of `conform --exhaustive`, which leaves no file",
-        inputs: &[CODECS, KERNELS, GLSL, OTHER_LANGUAGES],
+        inputs: &[CODECS, &[Code("shader-crate/src/slice/*.rs")], KERNELS, GLSL, OTHER_LANGUAGES],
         minutes: 5,
         renew: || conform(&["--exhaustive".to_owned()]),
         ..RUN
@@ -332,7 +335,7 @@ pub static RECORDS: &[Record] = &[
         outputs: &[Bytes("docs/data/processors.csv")],
         from: "the codecs on other processors, by qemu and Node.js",
         inputs: &[
-            CODECS,
+            CRATE,
             &[Code("tests/processors/*.rs tests/processors/*.mjs"), Versions(processors::versions)],
         ],
         minutes: 10,
@@ -345,7 +348,7 @@ pub static RECORDS: &[Record] = &[
         from: "libraries and program under Wine, checked for macOS: a run that leaves no file",
         // The places where systems differ, and the arithmetic.
         inputs: &[
-            CODECS,
+            CRATE,
             &[
                 Code(
                     "host/files/src/*.rs host/vulkan/src/instance.rs host/vulkan/src/device.rs host/program/src/main.rs",
@@ -378,7 +381,7 @@ pub static RECORDS: &[Record] = &[
         name: "python",
         from: "the Python package from its archive, its tests, and the program beside it: a run that leaves no file",
         inputs: &[
-            CODECS,
+            CRATE,
             &[
                 Code("catalogue/src/*.rs python/src/*.rs"),
                 Bytes(
@@ -396,7 +399,7 @@ pub static RECORDS: &[Record] = &[
         outputs: &[Bytes("docs/data/web_engines.csv")],
         from: "the npm package from its archive, its tests, and the program beside it; its materials in engines",
         inputs: &[
-            CODECS,
+            CRATE,
             &[
                 Code("catalogue/src/*.rs npm/src/*.rs xtask/npm/src/*.rs"),
                 Code(
@@ -417,7 +420,7 @@ pub static RECORDS: &[Record] = &[
         outputs: &[Bytes("docs/web/*")],
         from: "the page of `web/`, its tests in Chromium, and pictures of it",
         inputs: &[
-            CODECS,
+            CRATE,
             &[
                 Code("web/*js npm/src/*.rs npm/unitvec/core.js"),
                 Code("host/choose/examples/page.rs shaders/glsl-es/* shaders/wgsl/*"),
@@ -464,7 +467,7 @@ pub static RECORDS: &[Record] = &[
         ],
         from: "the list, all data above, and this table",
         inputs: &[
-            CODECS,
+            CRATE,
             &[
                 Code("catalogue/src/recommended.rs"),
                 Bytes("catalogue/data/* docs/data/* host/choose/data/costs_* docs/figures/figures.json"),

@@ -83,14 +83,19 @@ impl Repository {
     }
 }
 
-/// True where one of the patterns is the path, with anything in the place of each `*`.
+/// True where one of the patterns is the path, with anything in the place of each `*`, and none after a `!` is.
 pub fn matches(patterns: &str, path: &str) -> bool {
-    patterns.split(' ').any(|pattern| match pattern.split_once('*') {
+    let excluded = |one: &str| one.strip_prefix('!').is_some_and(|pattern| is_like(pattern, path));
+    patterns.split(' ').any(|pattern| is_like(pattern, path)) && !patterns.split(' ').any(excluded)
+}
+
+fn is_like(pattern: &str, path: &str) -> bool {
+    match pattern.split_once('*') {
         Some((head, rest)) => path.strip_prefix(head).is_some_and(|tail| {
-            (0..=tail.len()).any(|at| tail.get(at..).is_some_and(|tail| matches(rest, tail)))
+            (0..=tail.len()).any(|at| tail.get(at..).is_some_and(|tail| is_like(rest, tail)))
         }),
         None => pattern == path,
-    })
+    }
 }
 
 /// The lines of Rust or of a shader that are neither empty nor comments.
@@ -198,6 +203,7 @@ mod tests {
         }
         assert!(!matches("shaders/*/*", "shaders/README.md") && !matches("a*.rs", "a/b.glsl"));
         assert!(matches("host/*link/*.rs", "host/link/src/lib.rs") && matches("é*", "éé"));
+        assert!(matches("a* !*/b", "a/c") && !matches("a* !*/b", "a/b"));
         assert!(matches("a b*", "a") && matches("a b*", "bc") && !matches("a b*", "ac"));
     }
 
