@@ -320,7 +320,8 @@ fn rounded(e: Vec2, one: f32, most: f32) -> Vec3 {
 /// Of the 3 by 3 points around the nearest one, `at`, the point whose decoded integers are nearest.
 #[inline(always)]
 fn searched(v: Vec3, at: Vec2, m: f32, most: f32) -> Vec2 {
-    // The point itself comes first: of equals it stays. One by one, since LLVM keeps a loop a loop, and that from vectors.
+    // The point itself comes first: of equals it stays. Written out: around a loop the compiler makes no vector
+    // instructions.
     let best = (distance(v, rounded(at, m, most)), at);
     let best = or_nearer(best, v, at + Vec2::new(0.0, 1.0), m, most);
     let best = or_nearer(best, v, at + Vec2::new(0.0, -1.0), m, most);

@@ -35,12 +35,13 @@ impl<'s> Detail<'s> {
     /// Divides triangles until their edges are as long as a texel of the shape's map.
     pub(super) fn new(shapes: &'s [Shape], maps: &[Option<NormalMap>]) -> Self {
         let mut detail = Self { shapes: Vec::new(), points: Vec::new(), tangents: Vec::new() };
-        let share = (0..).map(|halvings| 0.5f32.powi(halvings)).find(|share| {
+        let share = (0..16).map(|halvings| 0.5f32.powi(halvings)).find(|share| {
             let parts = shapes.iter().zip(maps).flat_map(|(shape, map)| {
                 shape.triangles.iter().map(|corners| u64::from(parts(shape, map.as_ref(), corners, *share)))
             });
-            *share < 1e-4 || parts.map(|n| (n + 1) * (n + 2) / 2).sum::<u64>() <= MOST
+            parts.map(|n| (n + 1) * (n + 2) / 2).sum::<u64>() <= MOST
         });
+        let share = share.unwrap_or(0.0);
         const NONE: &[f32; 4] = &[0.0; 4];
         for (shape, map) in shapes.iter().zip(maps) {
             let first = detail.tangents.len();
@@ -48,7 +49,7 @@ impl<'s> Detail<'s> {
             detail.tangents.extend((0..shape.positions.len()).map(tangent));
             let mut fine = Shape::default();
             for corners in &shape.triangles {
-                let n = parts(shape, map.as_ref(), corners, share.unwrap_or_default());
+                let n = parts(shape, map.as_ref(), corners, share);
                 let before = fine.positions.len() as u32;
                 let corners = corners.map(|corner| corner as usize);
                 for point in lattice(n) {
@@ -113,8 +114,9 @@ fn parts(shape: &Shape, map: Option<&NormalMap>, corners: &[u32; 3], share: f32)
     let size = Vec2::from(map.size.map(|side| side as f32));
     let [a, b, c] = corners.map(|corner| Vec2::from(shape.texture[corner as usize]) * size);
     let longest = (a - b).length().max((b - c).length()).max((c - a).length());
-    // Of NaN none.
-    (longest * share).ceil().clamp(1.0, 1024.0) as u32
+    let parts = (longest * share).ceil();
+    // One, too, where coordinates are no numbers.
+    if parts > 1.0 { parts.min(1024.0) as u32 } else { 1 }
 }
 
 /// The shares of the corners at the points of a triangle with n parts to an edge, row by row.
@@ -201,5 +203,14 @@ mod tests {
         assert_eq!(detail.shapes[0].triangles, [[0, 1, 2], [3, 4, 5]]);
         let fine = detail.shapes[1].positions.len() as u64;
         assert!((MOST / 8..=MOST).contains(&fine), "{fine}");
+        for wild in [f32::INFINITY, f32::NAN] {
+            let shape =
+                Shape { texture: vec![[wild, 0.0]; 4], triangles: vec![[0, 1, 2]; 50], ..square(1.0) };
+            let map = NormalMap { size: [4, 4], texels: vec![TILTED; 16], scale: 1.0 };
+            let shapes = [shape];
+            let detail = Detail::new(&shapes, &[Some(map)]);
+            assert_eq!(detail.shapes[0].positions.len(), 150);
+            assert_eq!(detail.normals(&[[0.0, 0.0, 1.0]; 4]).len(), 150);
+        }
     }
 }

@@ -83,7 +83,7 @@ pub fn dither(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
     let caption = format!(
         "Normals in 16 bits, plain and by subtractive dither keyed by the pixel, by a blue-noise tile and by the position on the \
          surface: first the mirror and the highlight, then {FRAMES} frames of a turning sphere, which moves by about a pixel from \
-         one to the next. SSIM falls, since it counts noise; what improves is how much neighbouring pixels share of their error, \
+         one to the next. SSIM falls, since it counts noise; FLIP, which blurs as an eye does, improves, and so does how much neighbouring pixels share of their error, \
          and what crawls when the panel turns as far. For that we average {BLOCK} x {BLOCK} pixels, as an eye at a distance does, \
          and take the variance over the frames, in steps of 1/255, squared: bands survive the average, noise does not. The \
          numbers of the sphere follow the points of its surface: the variance of the error of a point's normal over the frames, \

@@ -275,7 +275,7 @@ pub fn eight(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
         let words = format!(
             "Normals in 16, 24 and 32 bits, by columns; in the first row floats, and components of 8 and of 10 bits. Left a part of \
              the {name} surfaces, right its difference to floats \u{d7} {TIMES}, or of floats the whole view. Numbers are of whole \
-             views: the difference in steps of 1/255, and the structural similarity."
+             views: the difference in steps of 1/255, the structural similarity, and FLIP."
         );
         let all = captioned(&sheet(&cells, COLUMNS), &words);
         let all = Shown::picture(format!("figure8_{name}.png"), alt, all);
@@ -293,7 +293,7 @@ pub fn eight(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
     sheets.extend(pictures);
     let mut caption = "The codecs of the survey's figure 8 and snorm10x3, by family and bits: the part where the first of the fewest \
                        bits differs most. The numbers are of whole pictures: the mean and the largest difference to floats, in \
-                       steps of 1/255, and the structural similarity."
+                       steps of 1/255, the structural similarity, and FLIP (Andersson et al. 2020), 0 for equal pictures."
         .to_owned();
     if !numbers.is_empty() {
         caption += " The panel shows only a few cells of a 16-bit code, so chance decides which of these codecs looks worst on it. \
