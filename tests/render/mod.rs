@@ -1,6 +1,9 @@
 //! The renderer on lavapipe, with validation: codecs go through the pipeline unchanged, and pictures of both languages are
 //! equal.
 
+#[cfg(feature = "glsl")]
+mod filtering;
+
 use glam::Vec3;
 use std::sync::Arc;
 use unitvec::OctPrecise16;

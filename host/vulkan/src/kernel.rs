@@ -51,7 +51,7 @@ pub struct Kernel {
 impl Layout {
     /// The interface that all kernels share.
     pub(super) fn of_kernels(device: &Arc<Device>) -> Result<Self, Error> {
-        Self::new(device, vk::ShaderStageFlags::COMPUTE, vk::DescriptorType::STORAGE_BUFFER, 8)
+        Self::new(device, vk::ShaderStageFlags::COMPUTE, vk::DescriptorType::STORAGE_BUFFER, None, 8)
     }
 
     /// Compiles a kernel to a pipeline. The device knows the flags.

@@ -8,27 +8,36 @@ use std::sync::Arc;
 /// Descriptors of a pipeline, bindings 0 and up of set 0.
 pub(super) const BINDINGS: u32 = 3;
 
-/// The interface that all kernels share, or all graphics pipelines: [`BINDINGS`] descriptors and push constants.
+/// The interface that all kernels share, or all graphics pipelines: [`BINDINGS`] descriptors, maybe a sampler in the binding
+/// after them, and push constants.
 pub(super) struct Layout {
     pub(super) pipeline: Handle<vk::PipelineLayout>,
     set: Handle<vk::DescriptorSetLayout>,
+    // Kept for as long as the set's layout refers to it.
+    _sampler: Option<Handle<vk::Sampler>>,
     descriptors: vk::DescriptorType,
     pub(super) device: Arc<Device>,
 }
 
 impl Layout {
-    /// An interface of these descriptors and of `constants` bytes of push constants, which these stages see.
+    /// An interface of these descriptors, a sampler or none, and `constants` bytes of push constants, which these stages see.
     pub(super) fn new(
         device: &Arc<Device>,
         stages: vk::ShaderStageFlags,
         descriptors: vk::DescriptorType,
+        sampler: Option<Handle<vk::Sampler>>,
         constants: u32,
     ) -> Result<Self, Error> {
         let binding = vk::DescriptorSetLayoutBinding::default()
             .descriptor_type(descriptors)
             .descriptor_count(1)
             .stage_flags(stages);
-        let bindings: Vec<_> = (0..BINDINGS).map(|index| binding.binding(index)).collect();
+        let mut bindings: Vec<_> = (0..BINDINGS).map(|index| binding.binding(index)).collect();
+        let samplers: Vec<_> = sampler.as_deref().copied().into_iter().collect();
+        if sampler.is_some() {
+            let binding = binding.binding(BINDINGS).descriptor_type(vk::DescriptorType::SAMPLER);
+            bindings.push(binding.immutable_samplers(&samplers));
+        }
         let create = vk::DescriptorSetLayoutCreateInfo::default().bindings(&bindings);
         // SAFETY: a valid create info; pipelines and whatever runs them keep an Arc to the layout.
         let set = unsafe {
@@ -45,7 +54,7 @@ impl Layout {
             let created = device.raw.create_pipeline_layout(&create, None);
             Handle::new(device, created, "vkCreatePipelineLayout", ash::Device::destroy_pipeline_layout)?
         };
-        Ok(Self { pipeline, set, descriptors, device: device.clone() })
+        Ok(Self { pipeline, set, _sampler: sampler, descriptors, device: device.clone() })
     }
 }
 
@@ -57,7 +66,8 @@ pub(super) struct Descriptors {
 
 impl Descriptors {
     pub(super) fn new(layout: &Arc<Layout>) -> Result<Self, Error> {
-        let sizes = [vk::DescriptorPoolSize::default().ty(layout.descriptors).descriptor_count(BINDINGS)];
+        let sizes = [(layout.descriptors, BINDINGS), (vk::DescriptorType::SAMPLER, 1)]
+            .map(|(ty, count)| vk::DescriptorPoolSize::default().ty(ty).descriptor_count(count));
         let create = vk::DescriptorPoolCreateInfo::default().max_sets(1).pool_sizes(&sizes);
         let (device, destroy) = (&layout.device, ash::Device::destroy_descriptor_pool);
         // SAFETY: a valid create info; each submission is waited for.

@@ -17,9 +17,11 @@ pub struct Draw<'a> {
 }
 
 impl Graphics {
-    /// Clears the target and draws to it, one after the other, and waits. Textures are bound by their numbers.
+    /// Clears the target and draws to it, one after the other, and waits. Textures are bound by their numbers, and then comes
+    /// a sampler that blends texels.
     ///
-    /// Shaders are trusted to read no texture that is not bound, nor one of another type, and no texel outside of it.
+    /// Shaders are trusted to read no texture that is not bound, nor one of another type, and no texel outside of it, and to
+    /// blend only formats that the device does.
     ///
     /// # Errors
     /// [`Error::BadDraw`] for parts that do not fit together, or a failed call.

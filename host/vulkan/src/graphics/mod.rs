@@ -13,6 +13,7 @@ pub(super) use pipeline::inspected;
 pub use pipeline::{Pipeline, PipelineOptions, Shader};
 pub use target::Target;
 
+use super::handle::Handle;
 use super::layout::{Descriptors, Layout};
 use super::submission::Submission;
 use super::{Device, Error};
@@ -37,7 +38,14 @@ pub struct Graphics {
 impl Layout {
     /// The interface that all graphics pipelines share.
     pub(super) fn of_graphics(device: &Arc<Device>) -> Result<Self, Error> {
-        Self::new(device, STAGES, vk::DescriptorType::SAMPLED_IMAGE, PUSH_CONSTANTS)
+        let linear = vk::Filter::LINEAR;
+        let create = vk::SamplerCreateInfo::default().mag_filter(linear).min_filter(linear);
+        // SAFETY: a valid create info; the interface keeps the sampler, and each submission is waited for.
+        let sampler = unsafe {
+            let created = device.raw.create_sampler(&create, None);
+            Handle::new(device, created, "vkCreateSampler", ash::Device::destroy_sampler)?
+        };
+        Self::new(device, STAGES, vk::DescriptorType::SAMPLED_IMAGE, Some(sampler), PUSH_CONSTANTS)
     }
 }
 
@@ -61,6 +69,11 @@ impl Graphics {
         let descriptors = Descriptors::new(&layout)?;
         let commands = Mutex::new(Commands { submission: Submission::new(device)?, descriptors });
         Ok(Arc::new(Self { commands, layout, device: device.clone() }))
+    }
+
+    /// Bits of the fractions by which its samplers blend texels, at least: `subTexelPrecisionBits`.
+    pub fn fraction_bits(&self) -> u32 {
+        self.device.limits.sub_texel_precision_bits
     }
 
     /// The device it draws on.

@@ -20,7 +20,7 @@ use unitvec_oracle::angle_deg;
 use unitvec_run::measure::ErrorStats;
 
 /// A texel's vector and its weight. Weights add up to 1.
-type Tap = (DVec3, f64);
+pub type Tap = (DVec3, f64);
 
 impl Map {
     /// Degrees between the blend of the vectors and the decoded blend of their components. A chart cannot be blended: that of
@@ -103,8 +103,8 @@ impl Field {
     }
 }
 
-/// The four texels about a place. Its two fractions have 8 bits, as Vulkan's `subTexelPrecisionBits` usually has.
-fn bilinear([x, y]: [f64; 2], weight: f64, texel: impl Fn(f64, f64) -> DVec3) -> Vec<Tap> {
+/// The four texels about a place, which share the weight. Both fractions have 8 bits, as `subTexelPrecisionBits` usually is.
+pub fn bilinear([x, y]: [f64; 2], weight: f64, texel: impl Fn(f64, f64) -> DVec3) -> Vec<Tap> {
     let (left, top) = (x.floor(), y.floor());
     let [a, b] = [x - left, y - top].map(in_256);
     let row = |j, share| [(texel(left, top + j), share * (1.0 - a)), (texel(left + 1.0, top + j), share * a)];
