@@ -122,6 +122,11 @@ fn normal_maps_are_shown() {
         (normal, r#"{"bufferView":7}"#, "has not the bytes of a picture"),
         (normal, "", "it has no image"),
         (r#""normalTexture":{"index":0,"texCoord":1}"#, waves, "does not use the first texture coordinates"),
+        (
+            r#""normalTexture":{"index":0,"extensions":{"KHR_texture_transform":{"scale":[2,2]}}}"#,
+            waves,
+            "KHR_texture_transform",
+        ),
     ] {
         let page = page(material, images);
         assert!(page.contains("The normal texture 0 is not shown: ") && page.contains(words), "{words}");

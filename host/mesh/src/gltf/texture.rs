@@ -7,6 +7,8 @@ use crate::{Generated, MeshError, Reach};
 use ::gltf::Semantic::Tangents;
 use ::gltf::accessor::Dimensions;
 use serde::Deserialize;
+use serde::de::IgnoredAny;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use unitvec_files::{one_line, read_start};
 
@@ -36,6 +38,8 @@ struct Reference {
     #[serde(default)]
     tex_coord: u32,
     scale: Option<f32>,
+    #[serde(default)]
+    extensions: BTreeMap<Box<str>, IgnoredAny>,
 }
 
 #[derive(Deserialize)]
@@ -78,9 +82,12 @@ impl Appearance {
             return Ok(());
         };
         let name = format!("normal texture {}", reference.index);
-        let picture = match shape.texture.is_empty() || reference.tex_coord != 0 {
-            true => Err("it does not use the first texture coordinates".to_owned()),
-            false => self.picture(file, reference, reach),
+        let picture = if shape.texture.is_empty() || reference.tex_coord != 0 {
+            Err("it does not use the first texture coordinates".to_owned())
+        } else if reference.extensions.contains_key("KHR_texture_transform") {
+            Err("it is moved by KHR_texture_transform, which is not applied".to_owned())
+        } else {
+            self.picture(file, reference, reach)
         };
         let scale = reference.scale.filter(|scale| scale.is_finite()).unwrap_or(1.0);
         if picture.is_ok() {
