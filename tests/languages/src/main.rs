@@ -202,8 +202,7 @@ impl Rows<'_> {
             );
         }
         if options.hip {
-            // Told of a GPU, it looks for none.
-            let version = tool::output(Command::new("hipcc").args([cpp::HIP[7], "-dumpversion"]));
+            let version = tool::output(Command::new("hipcc").args([cpp::HIP_GPU, "-dumpversion"]));
             let name = format!("clang {} for HIP", version.unwrap_or_default().trim());
             self.checked(&name, "hipcc".as_ref(), &[&cpp::HIP], options);
         }

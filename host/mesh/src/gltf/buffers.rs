@@ -44,8 +44,7 @@ pub(super) fn read<'p>(
                 if let Some(content) = files.get(&place) {
                     return Ok(content.clone());
                 }
-                let bytes = read_start(&file, length);
-                (Some(place), bytes.map_err(|error| format!("cannot read {}: {error}", file.display()))?)
+                (Some(place), read_file(&file, length)?)
             }
         };
         outside += bytes.len();
@@ -87,6 +86,11 @@ pub(crate) fn file_of(path: &Path, uri: &str, reach: Reach) -> Result<PathBuf, S
         return Err(format!("it lies in {name}, and the standard input has no folder; name the .gltf file"));
     }
     Ok(path.with_file_name(name.as_ref()))
+}
+
+/// The first bytes of a file, or why they cannot be had.
+pub(super) fn read_file(file: &Path, length: u64) -> Result<Vec<u8>, String> {
+    read_start(file, length).map_err(|error| format!("cannot read {}: {error}", file.display()))
 }
 
 pub(super) fn decode_data(data: &str) -> Result<Vec<u8>, String> {

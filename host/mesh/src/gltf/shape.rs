@@ -21,7 +21,7 @@ pub(super) fn key(primitive: &Primitive) -> Key {
 /// Reads the shapes of a file, in the order of their first primitives.
 pub(crate) fn parse_shapes(path: &Path, bytes: &[u8], reach: Reach) -> Result<Vec<Shape>, MeshError> {
     let file = load(path, bytes, reach, &[Positions, Normals, TexCoords(0)])?;
-    let appearance = Appearance::of_json(&chunks(path, bytes)?.0);
+    let mut appearance = Appearance::of_json(&chunks(path, bytes)?.0);
     let groups = file.grouped(|primitive| Some(key(primitive)))?;
     let (mut shapes, mut seen, mut vertices) = (Vec::new(), HashSet::new(), 0_usize);
     for (.., primitive) in file.primitives().filter(|(.., primitive)| seen.insert(key(primitive))) {

@@ -8,12 +8,14 @@ use ::gltf::Semantic::Tangents;
 use ::gltf::accessor::Dimensions;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
-use unitvec_files::{one_line, read_start};
+use unitvec_files::one_line;
 
 /// Bytes of a picture that are read: 16384 by 16384 texels of four bytes.
 const MOST: u64 = 1 << 30;
+
+const OTHER_COORDINATES: &str = "it does not use the first texture coordinates";
 
 /// The part of a document that normal maps depend on.
 #[derive(Default, Deserialize)]
@@ -22,7 +24,9 @@ pub(super) struct Appearance {
     materials: Vec<Material>,
     textures: Vec<Texture>,
     images: Vec<Image>,
-    buffer_views: Vec<View>,
+    /// The textures of materials that shapes had so far.
+    #[serde(skip)]
+    read: HashMap<u32, Arc<NormalTexture>>,
 }
 
 #[derive(Deserialize)]
@@ -54,15 +58,6 @@ struct Image {
     buffer_view: Option<usize>,
 }
 
-#[derive(Deserialize)]
-#[serde(rename_all = "camelCase")]
-struct View {
-    buffer: usize,
-    #[serde(default)]
-    byte_offset: usize,
-    byte_length: usize,
-}
-
 impl Appearance {
     /// The part in a document's JSON; nothing where it is damaged, since geometry can be read without it.
     pub(super) fn of_json(json: &[u8]) -> Self {
@@ -71,58 +66,60 @@ impl Appearance {
 
     /// Gives a shape the normal map of the primitive's material, where it has one, and the tangents that it needs.
     pub(super) fn add(
-        &self,
+        &mut self,
         file: &File<'_>,
         primitive: &Primitive,
         reach: Reach,
         shape: &mut Shape,
     ) -> Result<(), MeshError> {
-        let material = primitive.material.and_then(|at| self.materials.get(at as usize));
-        let Some(reference) = material.and_then(|material| material.normal_texture.as_ref()) else {
-            return Ok(());
-        };
+        let material = primitive.material.and_then(|at| Some((at, self.materials.get(at as usize)?)));
+        let Some((at, Material { normal_texture: Some(reference) })) = material else { return Ok(()) };
         let name = format!("normal texture {}", reference.index);
-        let picture = if shape.texture.is_empty() || reference.tex_coord != 0 {
-            Err("it does not use the first texture coordinates".to_owned())
-        } else if reference.extensions.contains_key("KHR_texture_transform") {
-            Err("it is moved by KHR_texture_transform, which is not applied".to_owned())
-        } else {
-            self.picture(file, reference, reach)
-        };
         let scale = reference.scale.filter(|scale| scale.is_finite()).unwrap_or(1.0);
-        if picture.is_ok() {
+        let texture = |picture| Arc::new(NormalTexture { name, scale, picture });
+        let texture = match self.read.get(&at) {
+            _ if shape.texture.is_empty() => texture(Err(OTHER_COORDINATES.to_owned())),
+            Some(texture) => texture.clone(),
+            None => {
+                let texture = texture(self.picture(file, reference, reach));
+                self.read.insert(at, texture.clone());
+                texture
+            }
+        };
+        if texture.picture.is_ok() {
             // Those of a buffer that nothing else is in are not read.
             shape.tangents = file.all(primitive, Tangents, Dimensions::Vec4).unwrap_or_default();
         }
-        if picture.is_ok() && shape.tangents.is_empty() {
+        if texture.picture.is_ok() && shape.tangents.is_empty() {
             let frames = shape.frames(file.path, -1.0, &mut Generated::default())?;
             shape.tangents = frames.iter().map(|[.., x, y, z, sign]| [*x, *y, *z, *sign]).collect();
         }
-        shape.normal_map = Some(Arc::new(NormalTexture { name, scale, picture }));
+        shape.normal_map = Some(texture);
         Ok(())
     }
 
     fn picture(&self, file: &File<'_>, reference: &Reference, reach: Reach) -> Result<Vec<u8>, String> {
+        if reference.tex_coord != 0 {
+            return Err(OTHER_COORDINATES.to_owned());
+        }
+        if reference.extensions.contains_key("KHR_texture_transform") {
+            return Err("it is moved by KHR_texture_transform, which is not applied".to_owned());
+        }
         let source = self.textures.get(reference.index).and_then(|texture| texture.source);
         let image = source.and_then(|source| self.images.get(source)).ok_or("it has no image")?;
         let read = |uri: &str| match uri.strip_prefix("data:") {
             Some(data) => buffers::decode_data(data),
-            None => {
-                let picture = buffers::file_of(file.path, uri, reach)?;
-                read_start(&picture, MOST)
-                    .map_err(|error| format!("cannot read {}: {error}", picture.display()))
-            }
+            None => buffers::read_file(&buffers::file_of(file.path, uri, reach)?, MOST),
         };
         match (&image.uri, image.buffer_view) {
             (Some(uri), _) => read(uri).map_err(one_line),
             (None, Some(view)) => {
-                let bytes = self.buffer_views.get(view).and_then(|view| {
-                    let end = view.byte_offset.checked_add(view.byte_length)?;
-                    file.buffers.get(view.buffer)?.get(view.byte_offset..end)
+                let bytes = file.document.views().nth(view).and_then(|view| {
+                    let end = view.offset().checked_add(view.length())?;
+                    file.buffers.get(view.buffer().index())?.get(view.offset()..end)
                 });
-                bytes
-                    .map(<[u8]>::to_vec)
-                    .ok_or_else(|| "its buffer view has not the bytes of a picture".to_owned())
+                let bytes = bytes.map(<[u8]>::to_vec);
+                bytes.ok_or_else(|| "its buffer view has not the bytes of a picture".to_owned())
             }
             (None, None) => Err("its image has neither a URI nor a buffer view".to_owned()),
         }

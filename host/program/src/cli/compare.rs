@@ -2,9 +2,11 @@ use super::figures::Rendering;
 use super::run::{Json, Live, close};
 use super::{Buffers, degrees, is_mesh, status_after_validation};
 use clap::Args;
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::rc::Rc;
+use std::sync::Arc;
 use unitvec_catalogue::{AnyCodec, Element, Measure, find_any};
 use unitvec_files::{Output, write_file};
 use unitvec_host::input::{Elements, FileName, Input, Kind};
@@ -120,9 +122,9 @@ fn errors(mesh: &Path, codecs: &[&'static AnyCodec], kind: Kind) -> Result<Repor
 }
 
 /// The normal map of each shape that has one, and what is to be told of them.
-fn normal_maps(shapes: &[Shape]) -> (Vec<Option<NormalMap>>, Vec<String>) {
+fn normal_maps(shapes: &[Shape]) -> (Vec<Option<Rc<NormalMap>>>, Vec<String>) {
     let mut told = BTreeSet::new();
-    let mut read = |texture: &NormalTexture| {
+    let mut decode = |texture: &NormalTexture| {
         let bytes = texture.picture.as_ref().map_err(Clone::clone);
         let source = bytes.and_then(|bytes| {
             let source = unitvec_texture::read(Path::new(&texture.name), bytes, None);
@@ -133,9 +135,15 @@ fn normal_maps(shapes: &[Shape]) -> (Vec<Option<NormalMap>>, Vec<String>) {
             Err(error) => format!("The {} is not shown: {error}.", texture.name),
         });
         let map = source.ok()?.map;
-        Some(NormalMap { size: [map.width, map.height], texels: map.vectors, scale: texture.scale })
+        let size = [map.width, map.height];
+        Some(Rc::new(NormalMap { size, texels: map.vectors, scale: texture.scale }))
     };
-    let maps = shapes.iter().map(|shape| shape.normal_map.as_deref().and_then(&mut read)).collect();
+    // Shapes of one material share its texture.
+    let mut decoded = HashMap::new();
+    let mut map = |texture: &Arc<NormalTexture>| {
+        decoded.entry(Arc::as_ptr(texture)).or_insert_with(|| decode(texture)).clone()
+    };
+    let maps = shapes.iter().map(|shape| shape.normal_map.as_ref().and_then(&mut map)).collect();
     (maps, told.into_iter().collect())
 }
 

@@ -1,6 +1,6 @@
 //! Differences between a picture and the one that it should be.
 
-use super::flip::flip;
+use super::flip::{Seen, flip};
 use image::RgbImage;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -19,16 +19,34 @@ pub struct Difference {
     pub flip: f64,
 }
 
-impl Difference {
-    /// The difference of two pictures of the same size.
-    pub fn of(a: &RgbImage, b: &RgbImage) -> Self {
-        let steps = a.as_raw().par_iter().zip(b.as_raw()).map(|(a, b)| a.abs_diff(*b));
+/// A picture that others are compared with, and what all comparisons need of it.
+pub struct Original<'p> {
+    picture: &'p RgbImage,
+    seen: Seen,
+}
+
+impl<'p> Original<'p> {
+    /// The picture as an original.
+    pub fn new(picture: &'p RgbImage) -> Self {
+        Self { picture, seen: Seen::new(picture) }
+    }
+
+    /// The difference of a picture of the same size.
+    pub fn difference(&self, other: &RgbImage) -> Difference {
+        let steps = self.picture.as_raw().par_iter().zip(other.as_raw()).map(|(a, b)| a.abs_diff(*b));
         let (sum, max) = steps
             .fold(|| (0u64, 0), |(sum, max), step| (sum + u64::from(step), max.max(step)))
             .reduce(|| (0, 0), |(sum, max), (other, other_max): (u64, u8)| (sum + other, max.max(other_max)));
-        Self { mean: sum as f64 / a.as_raw().len().max(1) as f64, max, ssim: ssim(a, b), flip: flip(a, b) }
+        Difference {
+            mean: sum as f64 / other.as_raw().len().max(1) as f64,
+            max,
+            ssim: ssim(self.picture, other),
+            flip: flip(&self.seen, &Seen::new(other)),
+        }
     }
+}
 
+impl Difference {
     /// Formats the difference in one line.
     pub fn in_words(&self) -> String {
         format!("mean {:.2} max {} SSIM {:.3} FLIP {:.3}", self.mean, self.max, self.ssim, self.flip)
@@ -122,9 +140,9 @@ mod tests {
     fn differences_are_counted() {
         let a = RgbImage::from_pixel(16, 16, Rgb([10, 20, 30]));
         let mut b = a.clone();
-        assert_eq!(Difference::of(&a, &b), Difference { mean: 0.0, max: 0, ssim: 1.0, flip: 0.0 });
+        assert_eq!(Original::new(&a).difference(&b), Difference { mean: 0.0, max: 0, ssim: 1.0, flip: 0.0 });
         b.put_pixel(12, 14, Rgb([10, 26, 0]));
-        let difference = Difference::of(&a, &b);
+        let difference = Original::new(&a).difference(&b);
         assert_eq!((difference.mean, difference.max), (36.0 / 768.0, 30));
         assert!(difference.ssim < 1.0 && difference.flip > 0.0);
         assert_eq!(amplified(&a, &b, 8).get_pixel(12, 14), &Rgb([0, 48, 240]));

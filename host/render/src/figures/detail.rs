@@ -2,6 +2,7 @@
 //! of a codec under the same maps.
 
 use glam::{Vec2, Vec3};
+use std::rc::Rc;
 use unitvec_mesh::{Shape, has_direction};
 
 /// A normal map of tangent space, y up.
@@ -25,31 +26,31 @@ struct Point {
 }
 
 /// Finer shapes, without normals, and what these depend on.
-pub(super) struct Detail<'s> {
+pub(super) struct Detail {
     pub(super) shapes: Vec<Shape>,
     points: Vec<Point>,
-    tangents: Vec<&'s [f32; 4]>,
+    /// The tangents of the vertices of all shapes, and the signs of their bitangents.
+    tangents: Vec<[f32; 4]>,
 }
 
-impl<'s> Detail<'s> {
+impl Detail {
     /// Divides triangles until their edges are as long as a texel of the shape's map.
-    pub(super) fn new(shapes: &'s [Shape], maps: &[Option<NormalMap>]) -> Self {
+    pub(super) fn new(shapes: &[Shape], maps: &[Option<Rc<NormalMap>>]) -> Self {
         let mut detail = Self { shapes: Vec::new(), points: Vec::new(), tangents: Vec::new() };
         let share = (0..16).map(|halvings| 0.5f32.powi(halvings)).find(|share| {
             let parts = shapes.iter().zip(maps).flat_map(|(shape, map)| {
-                shape.triangles.iter().map(|corners| u64::from(parts(shape, map.as_ref(), corners, *share)))
+                shape.triangles.iter().map(|corners| u64::from(parts(shape, map.as_deref(), corners, *share)))
             });
             parts.map(|n| (n + 1) * (n + 2) / 2).sum::<u64>() <= MOST
         });
         let share = share.unwrap_or(0.0);
-        const NONE: &[f32; 4] = &[0.0; 4];
         for (shape, map) in shapes.iter().zip(maps) {
             let first = detail.tangents.len();
-            let tangent = |vertex| shape.tangents.get(vertex).unwrap_or(NONE);
-            detail.tangents.extend((0..shape.positions.len()).map(tangent));
+            detail.tangents.extend(&shape.tangents);
+            detail.tangents.resize(first + shape.positions.len(), [0.0; 4]);
             let mut fine = Shape::default();
             for corners in &shape.triangles {
-                let n = parts(shape, map.as_ref(), corners, share);
+                let n = parts(shape, map.as_deref(), corners, share);
                 let before = fine.positions.len() as u32;
                 let corners = corners.map(|corner| corner as usize);
                 for point in lattice(n) {
@@ -78,7 +79,7 @@ impl<'s> Detail<'s> {
             let normal = blended(point.corners.map(unit), point.shares).normalize_or_zero();
             let Some(mapped) = point.mapped else { return normal };
             let tangents = point.corners.map(|corner| self.tangents[corner]);
-            let tangent = blended(tangents.map(|[x, y, z, _]| Vec3::new(*x, *y, *z)), point.shares);
+            let tangent = blended(tangents.map(|[x, y, z, _]| Vec3::new(x, y, z)), point.shares);
             let tangent = (tangent - normal * normal.dot(tangent)).normalize_or_zero();
             match has_direction(tangent.to_array()) {
                 true => {
@@ -166,7 +167,7 @@ mod tests {
             let shapes = [square(sign)];
             // The left half of two by one texels is flat; at a texel's middle there is that texel alone.
             let map = NormalMap { size: [2, 1], texels: vec![[0.0, 0.0, 1.0], TILTED], scale: 1.0 };
-            let detail = Detail::new(&shapes, &[Some(map)]);
+            let detail = Detail::new(&shapes, &[Some(map.into())]);
             let [fine] = &detail.shapes[..] else { panic!("one shape") };
             assert_eq!((fine.positions.len(), fine.triangles.len()), (2 * 10, 2 * 9));
             assert!(
@@ -199,7 +200,7 @@ mod tests {
     fn sizes() {
         let shapes = [square(1.0), square(1.0)];
         let map = NormalMap { size: [4096, 4096], texels: vec![[0.0, 0.0, 1.0]; 1 << 24], scale: 1.0 };
-        let detail = Detail::new(&shapes, &[None, Some(map)]);
+        let detail = Detail::new(&shapes, &[None, Some(map.into())]);
         assert_eq!(detail.shapes[0].triangles, [[0, 1, 2], [3, 4, 5]]);
         let fine = detail.shapes[1].positions.len() as u64;
         assert!((MOST / 8..=MOST).contains(&fine), "{fine}");
@@ -208,7 +209,7 @@ mod tests {
                 Shape { texture: vec![[wild, 0.0]; 4], triangles: vec![[0, 1, 2]; 50], ..square(1.0) };
             let map = NormalMap { size: [4, 4], texels: vec![TILTED; 16], scale: 1.0 };
             let shapes = [shape];
-            let detail = Detail::new(&shapes, &[Some(map)]);
+            let detail = Detail::new(&shapes, &[Some(map.into())]);
             assert_eq!(detail.shapes[0].positions.len(), 150);
             assert_eq!(detail.normals(&[[0.0, 0.0, 1.0]; 4]).len(), 150);
         }

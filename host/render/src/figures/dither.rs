@@ -2,7 +2,7 @@
 
 use super::camera::{Camera, shot};
 use super::canvas::{Cell, captioned, crop, enlarged, sheet};
-use super::compare::{Difference, mean};
+use super::compare::{Original, mean};
 use super::pictures::{MANY, take, window};
 use super::{Figure, Labelled, Number, Options, Shown, named};
 use crate::{Key, Material, Normals, Result, Seen, Shot, View};
@@ -51,12 +51,13 @@ pub fn dither(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
         [(Material::Mirror, View::Scene, "mirror"), (Material::Glossy, View::Panel, "highlight")]
     {
         let float = take(camera, Normals::Float, material, view)?;
+        let original = Original::new(&float);
         let first = take(camera, Normals::Codec(find(CODECS[0])?), material, view)?;
         let window = window(options, MANY, &float, &first);
         let (mut cells, mut differences) = (Vec::new(), Vec::new());
         for (normals, label) in named(&CODECS)?.into_iter().flat_map(variants) {
             let picture = take(camera, normals, material, view)?;
-            let difference = Difference::of(&float, &picture);
+            let difference = original.difference(&picture);
             let part = crop(&picture, window);
             let shared = autocorrelation(&errors(&part, &crop(&float, window)), window[2] as usize);
             numbers.push(Number::new(
@@ -83,9 +84,10 @@ pub fn dither(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
     let caption = format!(
         "Normals in 16 bits, plain and by subtractive dither keyed by the pixel, by a blue-noise tile and by the position on the \
          surface: first the mirror and the highlight, then {FRAMES} frames of a turning sphere, which moves by about a pixel from \
-         one to the next. SSIM falls, since it counts noise; FLIP, which blurs as an eye does, improves, and so does how much neighbouring pixels share of their error, \
-         and what crawls when the panel turns as far. For that we average {BLOCK} x {BLOCK} pixels, as an eye at a distance does, \
-         and take the variance over the frames, in steps of 1/255, squared: bands survive the average, noise does not. The \
+         one to the next. SSIM falls, since it counts noise; FLIP, which blurs as an eye does, improves, and so does how much \
+         neighbouring pixels share of their error, and what crawls when the panel turns as far. For that we average {BLOCK} x \
+         {BLOCK} pixels, as an eye at a distance does, and take the variance over the frames, in steps of 1/255, squared: bands \
+         survive the average, noise does not. The \
          numbers of the sphere follow the points of its surface: the variance of the error of a point's normal over the frames, \
          and its change from one frame to the next. They cannot tell bands from noise, so dither does not lower them."
     );

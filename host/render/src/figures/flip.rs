@@ -3,6 +3,7 @@
 //!
 //! Pictures are seen at 0.7 m on a display of 3840 pixels over 0.7 m, as the paper proposes.
 
+use super::paint::from_srgb;
 use glam::{DMat3, DVec3};
 use image::RgbImage;
 use rayon::prelude::*;
@@ -40,19 +41,18 @@ const SHARE: f64 = 0.95;
 const EDGES: f64 = 0.5;
 
 /// The mean difference of two pictures of the same size.
-pub fn flip(a: &RgbImage, b: &RgbImage) -> f64 {
-    let [a, b] = [a, b].map(Seen::new);
+pub fn flip(a: &Seen, b: &Seen) -> f64 {
+    let most = hyab(hunt(lab(DVec3::Y)), hunt(lab(DVec3::Z))).powf(COLOUR);
     let pixels = a.colours.par_iter().zip(&b.colours).zip(a.features.par_iter().zip(&b.features));
     // Summed in one order, so that the same pictures have the same mean.
     let differences: Vec<f64> =
-        pixels.map(|((a, b), (of_a, of_b))| difference([*a, *b], [*of_a, *of_b])).collect();
+        pixels.map(|((a, b), (of_a, of_b))| difference([*a, *b], [*of_a, *of_b], most)).collect();
     differences.iter().sum::<f64>() / differences.len().max(1) as f64
 }
 
-/// The difference of a pixel: section 4.3.
-fn difference([a, b]: [DVec3; 2], [of_a, of_b]: [[f64; 2]; 2]) -> f64 {
+/// The difference of a pixel, of which that of colours is `most` between green and blue: section 4.3.
+fn difference([a, b]: [DVec3; 2], [of_a, of_b]: [[f64; 2]; 2], most: f64) -> f64 {
     let colour = hyab(a, b).powf(COLOUR);
-    let most = hyab(hunt(lab(DVec3::Y)), hunt(lab(DVec3::Z))).powf(COLOUR);
     let knee = PART * most;
     let colour = match colour < knee {
         true => SHARE / knee * colour,
@@ -63,7 +63,7 @@ fn difference([a, b]: [DVec3; 2], [of_a, of_b]: [[f64; 2]; 2]) -> f64 {
 }
 
 /// A picture as an eye sees it.
-struct Seen {
+pub struct Seen {
     /// L*a*b* of each pixel after the eye's blur, less colourful where it is dark.
     colours: Vec<DVec3>,
     /// The strengths of edges and of points.
@@ -71,15 +71,18 @@ struct Seen {
 }
 
 impl Seen {
-    fn new(picture: &RgbImage) -> Self {
+    pub fn new(picture: &RgbImage) -> Self {
+        let bytes = picture.as_raw().par_chunks_exact(3);
         let opponent: Vec<DVec3> =
-            picture.as_raw().par_chunks_exact(3).map(|rgb| opponent(linear(rgb))).collect();
+            bytes.map(|rgb| opponents(of_white(from_srgb([rgb[0], rgb[1], rgb[2]])))).collect();
         let size = [picture.width(), picture.height()].map(|side| side as usize);
         let channel =
             |which: usize| Plane { size, values: opponent.iter().map(|colour| colour[which]).collect() };
         let blurred = [0, 1, 2].map(|which| channel(which).blurred(SENSITIVITIES[which]));
+        let to_rgb = TO_XYZ.inverse();
         let colour = |i: usize| {
-            let rgb = rgb(DVec3::from(blurred.each_ref().map(|plane| plane[i])));
+            let parts = of_opponents(blurred.each_ref().map(|plane| plane[i]).into());
+            let rgb = to_rgb * (parts * (TO_XYZ * DVec3::ONE));
             hunt(lab(rgb.clamp(DVec3::ZERO, DVec3::ONE)))
         };
         let colours = (0..opponent.len()).into_par_iter().map(colour).collect();
@@ -98,22 +101,15 @@ impl Plane {
     /// The sum over the neighbours in a row, and in a column, with these weights, the picture's border going on outward.
     fn filtered(&self, along_x: &[f64], along_y: &[f64]) -> Vec<f64> {
         let [width, height] = self.size;
-        let pass = |values: &[f64],
-                    weights: &[f64],
-                    at: &(dyn Fn(usize, usize, isize) -> usize + Sync)|
-         -> Vec<f64> {
-            let middle = weights.len() as isize / 2;
-            let sum = |i: usize| {
-                let taps = weights.iter().zip(-middle..);
-                taps.map(|(weight, step)| weight * values[at(i % width, i / width, step)]).sum()
-            };
-            (0..values.len()).into_par_iter().map(sum).collect()
+        let row = |row: &[f64]| -> Vec<f64> {
+            (0..width).map(|x| near(along_x, x, width).map(|(weight, x)| weight * row[x]).sum()).collect()
         };
-        let clamped = |from: usize, step: isize, side: usize| {
-            (from as isize + step).clamp(0, side as isize - 1) as usize
+        let rows: Vec<f64> = self.values.par_chunks(width.max(1)).flat_map_iter(row).collect();
+        let row = |y: usize| -> Vec<f64> {
+            let sum = |x| near(along_y, y, height).map(|(weight, y)| weight * rows[y * width + x]).sum();
+            (0..width).map(sum).collect()
         };
-        let rows = pass(&self.values, along_x, &|x, y, step| y * width + clamped(x, step, width));
-        pass(&rows, along_y, &|x, y, step| clamped(y, step, height) * width + x)
+        (0..height).into_par_iter().flat_map_iter(row).collect()
     }
 
     /// The channel after the blur of a sensitivity: section 4.1.1.
@@ -122,12 +118,13 @@ impl Plane {
         let reach = (3.0 * (0.04 / (2.0 * PI * PI)).sqrt() * PIXELS_PER_DEGREE).ceil();
         let blurs = gaussians.iter().map(|(factor, width)| {
             let weights = weights(reach, |x| (-PI * PI * (x / PIXELS_PER_DEGREE).powi(2) / width).exp());
-            let sum: f64 = weights.iter().sum();
-            (factor * (PI / width).sqrt() * sum * sum, self.filtered(&weights, &weights), sum * sum)
+            let (sum, factor) = (weights.iter().sum::<f64>(), factor * (PI / width).sqrt());
+            (factor, factor * sum * sum, self.filtered(&weights, &weights))
         });
         let blurs: Vec<_> = blurs.collect();
-        let whole: f64 = blurs.iter().map(|blur| blur.0).sum();
-        let value = |i: usize| blurs.iter().map(|(share, values, sum)| share / whole * values[i] / sum).sum();
+        let whole: f64 = blurs.iter().map(|blur| blur.1).sum();
+        let value =
+            |i: usize| blurs.iter().map(|(factor, _, values)| factor * values[i]).sum::<f64>() / whole;
         (0..self.values.len()).map(value).collect()
     }
 
@@ -146,6 +143,13 @@ impl Plane {
     }
 }
 
+/// The weights about a place, and the places that they are of, within 0 to `side`.
+fn near(weights: &[f64], at: usize, side: usize) -> impl Iterator<Item = (f64, usize)> {
+    let middle = weights.len() / 2;
+    let place = move |(i, weight): (usize, &f64)| (*weight, (at + i).saturating_sub(middle).min(side - 1));
+    weights.iter().enumerate().map(place)
+}
+
 /// Weights at whole distances from -reach to reach.
 fn weights(reach: f64, weight: impl Fn(f64) -> f64) -> Vec<f64> {
     (0..=2 * reach as i32).map(|i| weight(f64::from(i) - reach)).collect()
@@ -158,39 +162,28 @@ fn balanced(weights: Vec<f64>) -> Vec<f64> {
     weights.iter().map(|weight| weight / if *weight < 0.0 { negative } else { positive }).collect()
 }
 
-/// Linear RGB of an sRGB colour.
-fn linear(srgb: &[u8]) -> DVec3 {
-    let light = |byte: u8| match f64::from(byte) / 255.0 {
-        value if value <= 0.040_45 => value / 12.92,
-        value => ((value + 0.055) / 1.055).powf(2.4),
-    };
-    DVec3::new(light(srgb[0]), light(srgb[1]), light(srgb[2]))
-}
-
 /// XYZ of a linear RGB colour, as parts of white's.
 fn of_white(rgb: DVec3) -> DVec3 {
     TO_XYZ * rgb / (TO_XYZ * DVec3::ONE)
 }
 
-/// Luminance, red to green and blue to yellow of a linear RGB colour: YCxCz, of section 4.1.1.
-fn opponent(rgb: DVec3) -> DVec3 {
-    let DVec3 { x, y, z } = of_white(rgb);
+/// Lightness, red to green and blue to yellow, of XYZ as parts of white's, which gives YCxCz (section 4.1.1), or of their roots, which
+/// gives L*a*b*.
+fn opponents(DVec3 { x, y, z }: DVec3) -> DVec3 {
     DVec3::new(116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z))
 }
 
-/// The reverse of [`opponent`].
-fn rgb(opponent: DVec3) -> DVec3 {
-    let y = (opponent.x + 16.0) / 116.0;
-    let parts = DVec3::new(y + opponent.y / 500.0, y, y - opponent.z / 200.0);
-    TO_XYZ.inverse() * (parts * (TO_XYZ * DVec3::ONE))
+/// The reverse of [`opponents`].
+fn of_opponents(opponents: DVec3) -> DVec3 {
+    let y = (opponents.x + 16.0) / 116.0;
+    DVec3::new(y + opponents.y / 500.0, y, y - opponents.z / 200.0)
 }
 
 /// L*a*b* of CIE 1976 of a linear RGB colour.
 fn lab(rgb: DVec3) -> DVec3 {
     const KNEE: f64 = 6.0 / 29.0;
     let root = |t: f64| if t > KNEE.powi(3) { t.cbrt() } else { t / (3.0 * KNEE * KNEE) + 4.0 / 29.0 };
-    let [x, y, z] = of_white(rgb).to_array().map(root);
-    DVec3::new(116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z))
+    opponents(of_white(rgb).map(root))
 }
 
 /// A colour that is less colourful where it is darker, as Hunt found: section 4.1.2.
@@ -223,9 +216,11 @@ mod tests {
             (picture(edge(32)), picture(edge(34)), 0.067_277_7),
             (ramp, noise, 0.831_544_7),
         ] {
+            let [a, b] = [a, b].map(|picture| Seen::new(&picture));
             assert!((flip(&a, &b) - mean).abs() < 1e-4, "{} {mean}", flip(&a, &b));
             assert_eq!(flip(&a, &a), 0.0);
         }
-        assert_eq!(flip(&RgbImage::new(0, 0), &RgbImage::new(0, 0)), 0.0);
+        let empty = Seen::new(&RgbImage::new(0, 0));
+        assert_eq!(flip(&empty, &empty), 0.0);
     }
 }

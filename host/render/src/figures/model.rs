@@ -1,6 +1,6 @@
 //! A mesh of one's own: with its normals, and with those that codecs decode to.
 
-use super::compare::{Difference, amplified, mean};
+use super::compare::{Difference, Original, amplified, mean};
 use super::detail::{Detail, NormalMap};
 use super::errors::heat;
 use super::paint::to_srgb;
@@ -8,6 +8,7 @@ use crate::renderer::{decoded, encoded};
 use crate::shapes::{self, Body};
 use crate::{Material, Renderer, Result, Seen, Shot, Size, View};
 use image::RgbImage;
+use std::rc::Rc;
 use std::sync::Arc;
 use unitvec_catalogue::AnyCodec;
 use unitvec_mesh::{Shape, has_direction};
@@ -27,7 +28,7 @@ pub struct Options {
     /// The language of the shaders: Rust or GLSL.
     pub source: BackendKind,
     /// The normal map of each shape that has one.
-    pub maps: Vec<Option<NormalMap>>,
+    pub maps: Vec<Option<Rc<NormalMap>>>,
 }
 
 /// A model beside itself.
@@ -94,6 +95,7 @@ pub fn compare(device: &Arc<Device>, shapes: &[Shape], options: &Options) -> Res
     let size = Size { width: options.side, height: options.side };
     let mut renderer = Renderer::new(device, options.source, size, options.samples)?;
     let (pictures, normals) = drawn(&mut renderer, &own, view)?;
+    let originals: Vec<Original<'_>> = pictures.iter().map(|(_, own)| Original::new(own)).collect();
     let mut codecs = Vec::new();
     for ((codec, decoded), body) in options.codecs.iter().zip(&coded).zip(&bodies) {
         let (coded, coded_normals) = drawn(&mut renderer, body, view)?;
@@ -101,9 +103,10 @@ pub fn compare(device: &Arc<Device>, shapes: &[Shape], options: &Options) -> Res
             raw.iter().zip(decoded).map(|(own, coded)| error_deg(*own, *coded)).collect();
         let greatest_deg = errors_deg.iter().copied().fold(0.0, f64::max);
         let errors = errors_at_pixels(&normals, &coded_normals);
-        let pairs = pictures.iter().zip(coded).map(|((material, own), (_, coded))| {
-            let (by, difference) = (amplified(own, &coded, TIMES), Difference::of(own, &coded));
-            (*material, coded, by, difference)
+        let pairs = pictures.iter().zip(&originals).zip(coded);
+        let pairs = pairs.map(|(((_, own), original), (material, coded))| {
+            let (by, difference) = (amplified(own, &coded, TIMES), original.difference(&coded));
+            (material, coded, by, difference)
         });
         codecs.push(OfCodec {
             codec,

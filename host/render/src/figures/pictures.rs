@@ -4,7 +4,7 @@ use super::camera::{Camera, closer, shot, shrunk};
 use super::canvas::{
     Canvas, Cell, GAP, INK, Type, beside, captioned, crop, framed, headed_sheet, places, sheet, stacked,
 };
-use super::compare::{Difference, amplified, most_different};
+use super::compare::{Difference, Original, amplified, most_different};
 use super::ranks::ranks;
 use super::{Figure, Labelled, Number, Options, Place, Shown, Subject};
 use crate::{Material, Normals, Result, View};
@@ -87,14 +87,15 @@ fn compare(
     view: View,
 ) -> Result<Vec<Compared>> {
     let float = take(camera, Normals::Float, material, view)?;
-    let mut all =
-        vec![Compared { label: "float32x3".to_owned(), codec: None, picture: float, difference: None }];
-    for codec in codecs {
+    let original = Original::new(&float);
+    let compared = codecs.iter().map(|codec| {
         let picture = take(camera, Normals::Codec(codec), material, view)?;
-        let difference = Some(Difference::of(&all[0].picture, &picture));
-        all.push(Compared { label: codec.survey_name.to_owned(), codec: Some(codec), picture, difference });
-    }
-    Ok(all)
+        let difference = Some(original.difference(&picture));
+        Ok(Compared { label: codec.survey_name.to_owned(), codec: Some(*codec), picture, difference })
+    });
+    let compared = compared.collect::<Result<Vec<Compared>>>()?;
+    let float = Compared { label: "float32x3".to_owned(), codec: None, picture: float, difference: None };
+    Ok(std::iter::once(float).chain(compared).collect())
 }
 
 /// Widths of the parts of pictures that sheets show, for whole figures and for small ones.

@@ -43,18 +43,12 @@ pub const CUDA_BY_CLANG: [&str; 10] = [
     "-c",
 ];
 
+/// A GPU for hipcc, which otherwise looks for one: RDNA 2.
+pub const HIP_GPU: &str = "--offload-arch=gfx1030";
+
 /// Options for HIP, for GPUs of GCN 5 and RDNA 2.
-pub const HIP: [&str; 9] = [
-    "-x",
-    "hip",
-    "-O2",
-    "-Wall",
-    "-Wextra",
-    "-Werror",
-    "--offload-arch=gfx900",
-    "--offload-arch=gfx1030",
-    "-c",
-];
+pub const HIP: [&str; 9] =
+    ["-x", "hip", "-O2", "-Wall", "-Wextra", "-Werror", "--offload-arch=gfx900", HIP_GPU, "-c"];
 
 /// Options for MSL.
 pub const MSL: [&str; 3] = ["-std=c++17", "-fno-math-errno", "-Wno-unknown-attributes"];
