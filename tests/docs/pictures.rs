@@ -5,7 +5,7 @@ use super::tables::degrees;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use unitvec_render::figures::{Difference, Figures};
+use unitvec_render::figures::{Difference, Figures, Original};
 use unitvec_tests::program::{command, stderr};
 use unitvec_tests::repository;
 
@@ -117,7 +117,7 @@ fn difference(file: &str, drawn: &Path, tolerance: Tolerance) -> Option<String> 
             after.dimensions()
         ));
     }
-    let Difference { mean, max, .. } = Difference::of(&before, &after);
+    let Difference { mean, max, .. } = Original::new(&before).difference(&after);
     (mean > tolerance.picture)
         .then(|| format!("{file}: {mean:.4} steps of 1/255 off in the mean, {max} at most"))
 }

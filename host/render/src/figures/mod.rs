@@ -23,7 +23,7 @@ mod unfolding;
 
 pub use camera::Camera;
 pub(crate) use canvas::cut;
-pub use compare::{Difference, rank_correlation};
+pub use compare::{Difference, Original, rank_correlation};
 pub use figure::{Figure, Figures, Labelled, Number, Origin, Place, Shown, Subject};
 pub use image::RgbImage;
 
