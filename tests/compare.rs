@@ -75,39 +75,71 @@ fn the_worst_view_is_found() {
     assert!(told.trim_end().ends_with("seen from -1,2,0.5"), "{told}");
 }
 
-/// A square in glTF with this material and these images.
-fn textured(material: &str, images: &str) -> Vec<u8> {
+/// A square in glTF with these images, this first material, and a primitive with each of these ends of its attributes: triangles, then a strip. Accessors 3
+/// and 4 are tangents along +X, with signs 1 and -1; the last buffer view, 4, is the picture.
+fn textured(material: &str, images: &str, ends: &[&str], picture: &[u8]) -> Vec<u8> {
     let corners = [[-1.0f32, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     let positions = corners.iter().flat_map(|[x, y]| [*x, *y, 0.0]);
     let texture = corners.iter().flat_map(|[x, y]| [0.5 + 0.5 * x, 0.5 - 0.5 * y]);
-    let floats: Vec<u8> = positions.chain(texture).flat_map(f32::to_le_bytes).collect();
+    let tangents = [1.0f32, -1.0].into_iter().flat_map(|sign| [[1.0, 0.0, 0.0, sign]; 4].concat());
+    let floats: Vec<u8> = positions.chain(texture).chain(tangents).flat_map(f32::to_le_bytes).collect();
     let indices: Vec<u8> = [0u16, 1, 2, 0, 2, 3].into_iter().flat_map(u16::to_le_bytes).collect();
-    let buffer = base64::engine::general_purpose::STANDARD.encode([floats, indices].concat());
+    let buffer = [&floats[..], &indices, picture].concat();
+    let primitive =
+        |end: &&str| format!(r#"{{"attributes":{{"POSITION":0,"TEXCOORD_0":1{end}}},"indices":2"#);
+    let primitives = ends
+        .iter()
+        .map(primitive)
+        .zip(0..)
+        .map(|(all, at)| format!(r#"{all},"material":{at},"mode":{}}}"#, 4 + at));
     format!(
-        r#"{{"asset":{{"version":"2.0"}},"buffers":[{{"byteLength":92,"uri":"data:;base64,{buffer}"}}],
-        "bufferViews":[{{"buffer":0,"byteLength":48}},{{"buffer":0,"byteOffset":48,"byteLength":32}},{{"buffer":0,"byteOffset":80,"byteLength":12}}],
+        r#"{{"asset":{{"version":"2.0"}},"buffers":[{{"byteLength":{},"uri":"data:;base64,{}"}}],
+        "bufferViews":[{{"buffer":0,"byteLength":48}},{{"buffer":0,"byteOffset":48,"byteLength":32}},
+        {{"buffer":0,"byteOffset":80,"byteLength":128}},{{"buffer":0,"byteOffset":208,"byteLength":12}},
+        {{"buffer":0,"byteOffset":220,"byteLength":{}}}],
         "accessors":[{{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[-1,-1,0],"max":[1,1,0]}},
-        {{"bufferView":1,"componentType":5126,"count":4,"type":"VEC2"}},{{"bufferView":2,"componentType":5123,"count":6,"type":"SCALAR"}}],
-        "textures":[{{"source":0}}],"images":[{images}],"materials":[{{{material}}}],
-        "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0,"TEXCOORD_0":1}},"indices":2,"material":0}}]}}]}}"#
+        {{"bufferView":1,"componentType":5126,"count":4,"type":"VEC2"}},{{"bufferView":3,"componentType":5123,"count":6,"type":"SCALAR"}},
+        {{"bufferView":2,"componentType":5126,"count":4,"type":"VEC4"}},
+        {{"bufferView":2,"byteOffset":64,"componentType":5126,"count":4,"type":"VEC4"}}],
+        "textures":[{{"source":0}}],"images":[{images}],"materials":[{{{material}}},{{}}],
+        "meshes":[{{"primitives":[{}]}}]}}"#,
+        buffer.len(),
+        base64::engine::general_purpose::STANDARD.encode(&buffer),
+        picture.len().max(1),
+        primitives.collect::<Vec<_>>().join(",")
     )
     .into_bytes()
 }
+
+/// A folder with a normal map, and the page of `compare` on a mesh in it.
+struct Mapped(tempfile::TempDir);
+
+impl Mapped {
+    fn new() -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let waves = repository().join("host/texture/data/waves.png");
+        std::fs::copy(waves, folder.path().join("waves.png")).unwrap();
+        Self(folder)
+    }
+
+    fn page(&self, mesh: &[u8]) -> String {
+        let folder = self.0.path();
+        std::fs::write(folder.join("a.gltf"), mesh).unwrap();
+        succeeds(folder, "compare --codec oct16 a.gltf --side 64 --samples 1 --view 0,0.3,1");
+        std::fs::read_to_string(folder.join("compare.html")).unwrap()
+    }
+}
+
+const NORMAL: &str = r#""normalTexture":{"index":0}"#;
+const WAVES: &str = r#"{"uri":"waves.png"}"#;
 
 /// The normal map of a material is shown, under tangents by MikkTSpace: a flat square, whose normal has a code, then shows errors
 /// of none, but other pictures than without. What cannot be shown is told.
 #[test]
 fn normal_maps_are_shown() {
-    let folder = tempfile::tempdir().unwrap();
-    std::fs::copy(repository().join("host/texture/data/waves.png"), folder.path().join("waves.png")).unwrap();
-    let waves = r#"{"uri":"waves.png"}"#;
-    let normal = r#""normalTexture":{"index":0}"#;
-    let page = |material: &str, images: &str| {
-        std::fs::write(folder.path().join("a.gltf"), textured(material, images)).unwrap();
-        succeeds(folder.path(), "compare --codec oct16 a.gltf --side 64 --samples 1 --view 0,0.3,1");
-        std::fs::read_to_string(folder.path().join("compare.html")).unwrap()
-    };
-    let (plain, mapped) = (page("", ""), page(normal, waves));
+    let folder = Mapped::new();
+    let page = |material: &str, images: &str| folder.page(&textured(material, images, &[""], &[]));
+    let (plain, mapped) = (page("", ""), page(NORMAL, WAVES));
     let told = "<p>The mesh is shown with its normal texture 0, whose vectors are not in codes.</p>";
     assert!(mapped.contains(told) && !plain.contains("normal texture"));
     let pictures = |page: &str| page.matches("data:image/png;base64,").count();
@@ -116,21 +148,47 @@ fn normal_maps_are_shown() {
     assert!(mapped.contains(no_error) || mapped.contains("the mean at its pixels is 0 degrees"), "{mapped}");
     assert!(mapped.len() > plain.len() + 1000, "{} {}", mapped.len(), plain.len());
     for (material, images, words) in [
-        (normal, r#"{"uri":"none.png"}"#, "cannot read"),
-        (normal, r#"{"uri":"../none.png"}"#, "leaves the folder of the file"),
-        (normal, r#"{"uri":"a.gltf"}"#, "is no png, tga, exr, ktx2 or dds"),
-        (normal, r#"{"bufferView":7}"#, "has not the bytes of a picture"),
-        (normal, "", "it has no image"),
-        (r#""normalTexture":{"index":0,"texCoord":1}"#, waves, "does not use the first texture coordinates"),
+        (NORMAL, r#"{"uri":"none.png"}"#, "cannot read"),
+        (NORMAL, r#"{"uri":"../none.png"}"#, "leaves the folder of the file"),
+        (NORMAL, r#"{"uri":"a.gltf"}"#, "is no png, jpeg, tga, exr, ktx2 or dds"),
+        (NORMAL, r#"{"bufferView":7}"#, "has not the bytes of a picture"),
+        (NORMAL, "", "it has no image"),
+        (r#""normalTexture":{"index":0,"texCoord":1}"#, WAVES, "does not use the first texture coordinates"),
         (
             r#""normalTexture":{"index":0,"extensions":{"KHR_texture_transform":{"scale":[2,2]}}}"#,
-            waves,
+            WAVES,
             "KHR_texture_transform",
         ),
+        (r#""normalTexture":{"index":-1}"#, WAVES, "invalid value"),
     ] {
         let page = page(material, images);
-        assert!(page.contains("The normal texture 0 is not shown: ") && page.contains(words), "{words}");
+        assert!(page.contains("The normal texture ") && page.contains(" is not shown: "), "{words}");
+        assert!(page.contains(words), "{words}");
     }
+    let shared = folder.page(&textured(NORMAL, WAVES, &["", ""], &[]));
+    assert!(shared.contains("is not shown: other materials have the same vertices"));
+}
+
+/// A picture in the file's buffer is shown as that in a file of its own, and one in a jpeg is shown. Tangents of the file that are
+/// MikkTSpace's change nothing, and those with the other sign do.
+#[test]
+fn pictures_and_tangents_of_the_file() {
+    let folder = Mapped::new();
+    let waves = std::fs::read(folder.0.path().join("waves.png")).unwrap();
+    let mut jpeg = std::io::Cursor::new(Vec::new());
+    let picture = image::load_from_memory(&waves).unwrap().into_rgb8();
+    picture.write_to(&mut jpeg, image::ImageFormat::Jpeg).unwrap();
+    let shown = |end, images, picture: &[u8]| {
+        let page = folder.page(&textured(NORMAL, images, &[end], picture));
+        assert!(page.contains("The mesh is shown with its normal texture 0"));
+        page
+    };
+    let in_buffer = r#"{"bufferView":4,"mimeType":"image/png"}"#;
+    let own = shown("", WAVES, &[]);
+    assert!(shown("", in_buffer, &waves) == own);
+    assert!(shown("", in_buffer, jpeg.get_ref()) != own);
+    assert!(shown(r#","TANGENT":3"#, WAVES, &[]) == own);
+    assert!(shown(r#","TANGENT":4"#, WAVES, &[]) != own);
 }
 
 #[test]

@@ -101,10 +101,11 @@ targets! {
     ply_big_endian: PLY_BIG = "big.ply", || seeds::ply(seeds::PLY_FORMATS[2]), read_mesh, 12.0, FIXED + LIST + REFUSED + TANGENTS;
     gltf: GLTF = "a.gltf", seeds::gltf, read_mesh, 12.0, FIXED + ZEROS + TANGENTS;
     glb: GLB = "a.glb", seeds::glb, read_mesh, 12.0, FIXED + ZEROS + TANGENTS;
-    png: PNG = "a.png", || seeds::picture(ImageFormat::Png), read_texture, 2.5, FIXED + PICTURE;
-    tga: TGA = "a.tga", || seeds::picture(ImageFormat::Tga), read_texture, 2.5, FIXED + PICTURE;
-    exr: EXR = "a.exr", || seeds::picture(ImageFormat::OpenExr), read_texture, 2.5, FIXED + PICTURE;
-    ktx2: KTX2 = "a.ktx2", || seeds::textures(|texture| Ok(ktx2::write(texture))), read_texture, 2.5, FIXED;
+    png: PNG = "a.png", || seeds::picture(ImageFormat::Png), read_texture, 2.0, FIXED + PICTURE;
+    jpeg: JPEG = "a.jpg", || seeds::picture(ImageFormat::Jpeg), read_texture, 2.0, FIXED + PICTURE;
+    tga: TGA = "a.tga", || seeds::picture(ImageFormat::Tga), read_texture, 2.0, FIXED + PICTURE;
+    exr: EXR = "a.exr", || seeds::picture(ImageFormat::OpenExr), read_texture, 2.0, FIXED + PICTURE;
+    ktx2: KTX2 = "a.ktx2", || seeds::textures(|texture| Ok(ktx2::write(texture))), read_texture, 2.0, FIXED;
     dds: DDS = "a.dds", || seeds::textures(dds::write), read_texture, 2.0, FIXED;
     raw: RAW = "a.f32", seeds::raw, encode_raw, 0.5, FIXED + CHUNKS;
     codes: CODES = "a.codes", seeds::raw, decode_codes, 0.5, FIXED + CHUNKS;

@@ -222,6 +222,7 @@ pub fn picture(format: ImageFormat) -> Vec<Vec<u8>> {
     let colors = DynamicImage::from(colors);
     let images = match format {
         ImageFormat::OpenExr => [colors.to_rgb32f().into(), colors.to_rgba32f().into()],
+        ImageFormat::Jpeg => [colors.to_rgb8().into(), colors.to_luma8().into()],
         _ => [colors.to_rgba8().into(), colors.to_luma8().into()],
     };
     let saved = |image: DynamicImage| {

@@ -43,7 +43,7 @@ pub enum Error {
     Usage(String),
     /// A file that is neither a mesh nor a texture and does not have the name of raw floats.
     #[error(
-        "{} is neither a mesh (.obj, .ply, .gltf, .glb), nor a texture (.png, .tga, .exr, .ktx2, .dds), nor named as raw f32 \
+        "{} is neither a mesh (.obj, .ply, .gltf, .glb), nor a texture (.png, .jpeg, .tga, .exr, .ktx2, .dds), nor named as raw f32 \
          (.{}); export it as .glb or .obj, or, if it is raw f32, add --raw",
         .path.display(),
         input::RAW_ENDINGS.join(", .")

@@ -1,4 +1,4 @@
-//! Pictures: png, tga and exr read, png written.
+//! Pictures: png, jpeg, tga and exr read, png written.
 
 use crate::mips::Level;
 use crate::{Error, NormalMap, Result};

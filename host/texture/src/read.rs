@@ -14,7 +14,7 @@ const LEAST: f64 = 0.05;
 /// The length of a corner of the cube is the root of 3.
 const GREATEST: f64 = 1.7;
 
-const UNKNOWN: &str = "is no png, tga, exr, ktx2 or dds; save it as one of these";
+const UNKNOWN: &str = "is no png, jpeg, tga, exr, ktx2 or dds; save it as one of these";
 
 /// A map, and the facts of its file.
 #[derive(Clone, Debug)]
@@ -34,9 +34,10 @@ pub struct Source {
 }
 
 /// The kinds of files: their first bytes, or "" where the ending has to do, and their names.
-const KINDS: [(&[u8], &str); 5] = [
+const KINDS: [(&[u8], &str); 6] = [
     (b"\x89PNG\r\n\x1a\n", "png"),
     (b"\x76\x2f\x31\x01", "exr"),
+    (b"\xff\xd8\xff", "jpeg"),
     (&::ktx2::MAGIC, "ktx2"),
     (b"DDS ", "dds"),
     (b"", "tga"),
@@ -69,6 +70,7 @@ pub fn read(path: &Path, bytes: &[u8], codec: Option<&'static AnyCodec>) -> Resu
         }
         ("png", None) => picture(ImageFormat::Png),
         ("exr", None) => picture(ImageFormat::OpenExr),
+        ("jpeg", None) => picture(ImageFormat::Jpeg),
         _ => picture(ImageFormat::Tga),
     }
 }

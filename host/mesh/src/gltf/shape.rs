@@ -30,7 +30,9 @@ pub(crate) fn parse_shapes(path: &Path, bytes: &[u8], reach: Reach) -> Result<Ve
         let shape = file.shape(primitive, &groups)?;
         if !shape.triangles.is_empty() {
             let mut shape = shape.with_normals(path)?;
-            appearance.add(&file, primitive, reach, &mut shape)?;
+            let mut of_vertices = groups.get(&key(primitive)).into_iter().flatten();
+            let is_shared = of_vertices.any(|other| other.material != primitive.material);
+            appearance.add(&file, primitive, is_shared, reach, &mut shape)?;
             shapes.push(shape);
         }
     }

@@ -24,6 +24,9 @@ pub(super) struct Appearance {
     materials: Vec<Material>,
     textures: Vec<Texture>,
     images: Vec<Image>,
+    /// The damage of a document whose materials, textures or images cannot be read.
+    #[serde(skip)]
+    damage: Option<String>,
     /// The textures of materials that shapes had so far.
     #[serde(skip)]
     read: HashMap<u32, Arc<NormalTexture>>,
@@ -59,25 +62,36 @@ struct Image {
 }
 
 impl Appearance {
-    /// The part in a document's JSON; nothing where it is damaged, since geometry can be read without it.
+    /// The part in a document's JSON. Where it is damaged, shapes are told so, since geometry can be read without it.
     pub(super) fn of_json(json: &[u8]) -> Self {
-        serde_json::from_slice(json).unwrap_or_default()
+        serde_json::from_slice(json)
+            .unwrap_or_else(|error| Self { damage: Some(one_line(error)), ..Self::default() })
     }
 
     /// Gives a shape the normal map of the primitive's material, where it has one, and the tangents that it needs.
+    /// `is_shared`: other materials' primitives have the same vertices.
     pub(super) fn add(
         &mut self,
         file: &File<'_>,
         primitive: &Primitive,
+        is_shared: bool,
         reach: Reach,
         shape: &mut Shape,
     ) -> Result<(), MeshError> {
-        let material = primitive.material.and_then(|at| Some((at, self.materials.get(at as usize)?)));
-        let Some((at, Material { normal_texture: Some(reference) })) = material else { return Ok(()) };
+        let Some(at) = primitive.material else { return Ok(()) };
+        if let Some(damage) = &self.damage {
+            let name = format!("normal texture of material {at}");
+            shape.normal_map =
+                Some(Arc::new(NormalTexture { name, scale: 1.0, picture: Err(damage.clone()) }));
+            return Ok(());
+        }
+        let material = self.materials.get(at as usize);
+        let Some(Material { normal_texture: Some(reference) }) = material else { return Ok(()) };
         let name = format!("normal texture {}", reference.index);
         let scale = reference.scale.filter(|scale| scale.is_finite()).unwrap_or(1.0);
         let texture = |picture| Arc::new(NormalTexture { name, scale, picture });
         let texture = match self.read.get(&at) {
+            _ if is_shared => texture(Err("other materials have the same vertices".to_owned())),
             _ if shape.texture.is_empty() => texture(Err(OTHER_COORDINATES.to_owned())),
             Some(texture) => texture.clone(),
             None => {

@@ -42,7 +42,7 @@ pub struct Arguments {
     json: Json,
     #[command(flatten)]
     rendering: Rendering,
-    /// Mesh file with faces: .obj, .ply, .gltf, .glb. The normal map of a glTF material is shown, if it is no jpeg.
+    /// Mesh file with faces: .obj, .ply, .gltf, .glb. Normal maps of glTF materials are shown.
     mesh: PathBuf,
 }
 
@@ -75,10 +75,20 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let live = Live::new(None, "{spinner} pictures, {elapsed}", true);
     let device = rendering.vulkan.device_for_graphics()?;
     let Rendering { samples, source, .. } = *rendering;
-    let (maps, told) = normal_maps(&shapes);
+    let (maps, mut told) = normal_maps(&shapes);
     let options = Options { codecs, view: arguments.view, side: arguments.side, samples, source, maps };
     let compared = compare(&device, &shapes, &options)?;
     live.finish();
+    if compared.fineness < 1.0 {
+        told.push(match compared.fineness {
+            0.0 => {
+                "There are too many triangles to divide: normal maps are shown at vertices alone.".to_owned()
+            }
+            part => {
+                format!("There are too many texels: normal maps are shown at {part} of those along an edge.")
+            }
+        });
+    }
     let contents = Contents {
         file: mesh.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned()),
         compared: &compared,

@@ -44,7 +44,7 @@ pub struct Arguments {
     wide: Wide,
     #[command(flatten)]
     vulkan: Vulkan,
-    /// What `unitvec encode` takes: meshes, normal maps (png, tga, exr, ktx2, dds), NumPy arrays, raw floats, or folders,
+    /// What `unitvec encode` takes: meshes, normal maps (png, jpeg, tga, exr, ktx2, dds), NumPy arrays, raw floats, or folders,
     /// whose meshes are taken; - for the standard
     /// input.
     #[arg(required = true)]

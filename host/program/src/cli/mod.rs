@@ -114,7 +114,7 @@ enum Command {
     /// each by themselves; a codec of frames moves them together.
     #[command(after_help = examples::of("snap"))]
     Snap(snap::Arguments),
-    /// Convert normal maps (png, tga, exr, ktx2, dds) to textures of codes (ktx2, dds), and back (png).
+    /// Convert normal maps (png, jpeg, tga, exr, ktx2, dds) to textures of codes (ktx2, dds), and back (png).
     ///
     /// Vectors are normalised; texels without a direction become +Z. Pngs, tgas and UNORM formats are taken as biased, -1 to 1
     /// by 0 to 1; exrs, float and SNORM formats are not. The summary says whether the map is of tangent or of object space,

@@ -51,7 +51,7 @@ pub struct Arguments {
     bits: u32,
     #[command(flatten)]
     summary: Options,
-    /// Normal map: png, tga, exr, ktx2 or dds, the latter two without supercompression.
+    /// Normal map: png, jpeg, tga, exr, ktx2 or dds, the latter two without supercompression.
     r#in: PathBuf,
     /// Output file: .ktx2, .dds or .png.
     out: PathBuf,

@@ -28,6 +28,8 @@ struct Point {
 /// Finer shapes, without normals, and what these depend on.
 pub(super) struct Detail {
     pub(super) shapes: Vec<Shape>,
+    /// The density of vertices beside that of texels, 1 at most; 0 where triangles were not divided.
+    pub(super) fineness: f32,
     points: Vec<Point>,
     /// The tangents of the vertices of all shapes, and the signs of their bitangents.
     tangents: Vec<[f32; 4]>,
@@ -36,21 +38,21 @@ pub(super) struct Detail {
 impl Detail {
     /// Divides triangles until their edges are as long as a texel of the shape's map.
     pub(super) fn new(shapes: &[Shape], maps: &[Option<Rc<NormalMap>>]) -> Self {
-        let mut detail = Self { shapes: Vec::new(), points: Vec::new(), tangents: Vec::new() };
-        let share = (0..16).map(|halvings| 0.5f32.powi(halvings)).find(|share| {
+        let fineness = (0..16).map(|halvings| 0.5f32.powi(halvings)).find(|share| {
             let parts = shapes.iter().zip(maps).flat_map(|(shape, map)| {
                 shape.triangles.iter().map(|corners| u64::from(parts(shape, map.as_deref(), corners, *share)))
             });
             parts.map(|n| (n + 1) * (n + 2) / 2).sum::<u64>() <= MOST
         });
-        let share = share.unwrap_or(0.0);
+        let fineness = fineness.unwrap_or(0.0);
+        let mut detail = Self { shapes: Vec::new(), fineness, points: Vec::new(), tangents: Vec::new() };
         for (shape, map) in shapes.iter().zip(maps) {
             let first = detail.tangents.len();
             detail.tangents.extend(&shape.tangents);
             detail.tangents.resize(first + shape.positions.len(), [0.0; 4]);
             let mut fine = Shape::default();
             for corners in &shape.triangles {
-                let n = parts(shape, map.as_deref(), corners, share);
+                let n = parts(shape, map.as_deref(), corners, fineness);
                 let before = fine.positions.len() as u32;
                 let corners = corners.map(|corner| corner as usize);
                 for point in lattice(n) {
@@ -109,15 +111,15 @@ impl NormalMap {
     }
 }
 
-/// The parts of an edge of a triangle: as many as its longest has texels, times `share`.
-fn parts(shape: &Shape, map: Option<&NormalMap>, corners: &[u32; 3], share: f32) -> u32 {
+/// The parts of an edge of a triangle: as many as its longest has texels, times `fineness`.
+fn parts(shape: &Shape, map: Option<&NormalMap>, corners: &[u32; 3], fineness: f32) -> u32 {
     let Some(map) = map else { return 1 };
     let size = Vec2::from(map.size.map(|side| side as f32));
     let [a, b, c] = corners.map(|corner| Vec2::from(shape.texture[corner as usize]) * size);
     let longest = (a - b).length().max((b - c).length()).max((c - a).length());
-    let parts = (longest * share).ceil();
+    let parts = (longest * fineness).ceil();
     // One, too, where coordinates are no numbers.
-    if parts > 1.0 { parts.min(1024.0) as u32 } else { 1 }
+    if parts > 1.0 { parts.min(1e6) as u32 } else { 1 }
 }
 
 /// The shares of the corners at the points of a triangle with n parts to an edge, row by row.
@@ -204,6 +206,7 @@ mod tests {
         assert_eq!(detail.shapes[0].triangles, [[0, 1, 2], [3, 4, 5]]);
         let fine = detail.shapes[1].positions.len() as u64;
         assert!((MOST / 8..=MOST).contains(&fine), "{fine}");
+        assert!(detail.fineness < 1.0, "{}", detail.fineness);
         for wild in [f32::INFINITY, f32::NAN] {
             let shape =
                 Shape { texture: vec![[wild, 0.0]; 4], triangles: vec![[0, 1, 2]; 50], ..square(1.0) };

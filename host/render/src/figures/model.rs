@@ -35,6 +35,9 @@ pub struct Options {
 pub struct Compared {
     /// The direction from the mesh to the eye.
     pub view: [f32; 3],
+    /// The density of the vertices that show normal maps beside that of texels: 1, or less where they would be too many; 0
+    /// where they are the mesh's own. 1 without maps.
+    pub fineness: f32,
     /// The pictures with the mesh's own normals.
     pub own: Vec<(Material, RgbImage)>,
     /// The codecs.
@@ -117,7 +120,8 @@ pub fn compare(device: &Arc<Device>, shapes: &[Shape], options: &Options) -> Res
             errors_deg,
         });
     }
-    Ok(Compared { view, own: pictures, codecs })
+    let fineness = detail.map_or(1.0, |detail| detail.fineness);
+    Ok(Compared { view, fineness, own: pictures, codecs })
 }
 
 /// The surface that each pixel shows.
