@@ -28,8 +28,8 @@ fn the_page_has_the_errors_of_error() {
             page.split("<tr>").find(|row| row.starts_with(&format!("<th scope=\"row\">{id}</th>"))).unwrap();
         assert!(row.contains(&mean) && row.contains(&max), "{row}");
     }
-    // With floats and two codecs in three materials, three differences of each codec, and their heat maps.
-    assert_eq!(page.matches("data:image/png;base64,").count(), 3 * 3 + 3 * 2 + 2);
+    // With floats and two codecs in four materials, four differences of each codec, and their heat maps.
+    assert_eq!(page.matches("data:image/png;base64,").count(), 4 * 3 + 4 * 2 + 2);
     for load in ["=\"http", "=\"//", "url(", "@import", "fetch(", "{{", "{%"] {
         assert!(!page.contains(load), "{load}");
     }

@@ -13,8 +13,15 @@ fn folder() -> PathBuf {
     repository().join("docs/figures")
 }
 
+/// The figures that pages show, beside [`folder`]'s, for readers with dark pages.
+const DARK: &str = "1,dither,rotations,caps,filtering";
+
+fn list(folder: &Path) -> Value {
+    serde_json::from_str(&std::fs::read_to_string(folder.join("figures.json")).unwrap()).unwrap()
+}
+
 fn figures() -> Value {
-    serde_json::from_str(&std::fs::read_to_string(folder().join("figures.json")).unwrap()).unwrap()
+    list(&folder())
 }
 
 /// A number of the figure on dither.
@@ -56,23 +63,29 @@ fn dither_keeps_bands_from_crawling() {
     }
 }
 
-/// The folder has the files that its own list names, besides the lists, and all that `unitvec figures --small` makes; they are
-/// small enough for a repository.
+/// Each folder has the files that its own list names, besides the lists: one all that `unitvec figures --small` makes, and one
+/// those that pages show, for dark ones. They are small enough for a repository.
 #[test]
-fn the_set_is_whole_and_small() {
-    let figures = figures();
+fn the_sets_are_whole_and_small() {
+    check_set(&folder(), "1 2 3 4 5 6 7 8 meyer dither errors rotations caps filtering front", 4_800_000);
+    check_set(&folder().join("dark"), &DARK.replace(',', " "), 1_800_000);
+}
+
+fn check_set(folder: &Path, expected: &str, most: u64) {
+    let figures = list(folder);
     let all = figures["figures"].as_array().unwrap();
     let ids: Vec<&str> = all.iter().map(|figure| figure["id"].as_str().unwrap()).collect();
-    assert_eq!(ids.join(" "), "1 2 3 4 5 6 7 8 meyer dither errors rotations caps filtering front");
+    assert_eq!(ids.join(" "), expected);
     let pictures = all.iter().flat_map(|figure| figure["pictures"].as_array().unwrap());
     let mut named: BTreeSet<String> =
         pictures.map(|picture| picture["file"].as_str().unwrap().to_owned()).collect();
     named.extend(["figures.json", "figures.md"].map(str::to_owned));
-    let files: Vec<_> = std::fs::read_dir(folder()).unwrap().map(Result::unwrap).collect();
+    let entries = std::fs::read_dir(folder).unwrap().map(Result::unwrap);
+    let files: Vec<_> = entries.filter(|entry| entry.path().is_file()).collect();
     let there = files.iter().map(|file| file.file_name().into_string().unwrap()).collect();
     assert_eq!(named, there);
     let bytes: u64 = files.iter().map(|file| file.metadata().unwrap().len()).sum();
-    assert!(bytes < 4_300_000, "{bytes}");
+    assert!(bytes < most, "{bytes}");
 }
 
 /// The command that draws the pictures again.
@@ -101,8 +114,8 @@ const SAME_DRIVER: Tolerance = Tolerance { picture: 0.02, number: [2e-4, 1e-3], 
 const OTHER_DRIVER: Tolerance = Tolerance { picture: 0.5, number: [0.02, 0.05], largest: false };
 
 /// The difference of a picture from the committed one, if any.
-fn difference(file: &str, drawn: &Path, tolerance: Tolerance) -> Option<String> {
-    let paths = [folder(), drawn.to_owned()].map(|folder| folder.join(file));
+fn difference(file: &str, [committed, drawn]: [&Path; 2], tolerance: Tolerance) -> Option<String> {
+    let paths = [committed, drawn].map(|folder| folder.join(file));
     let [before, after] = paths.each_ref().map(|path| std::fs::read(path).unwrap_or_default());
     if before == after {
         return None;
@@ -146,13 +159,13 @@ fn differences(at: &str, before: &Value, after: &Value, tolerance: Tolerance) ->
     }
 }
 
-/// Draws these figures of the small set again and compares.
-fn are_current(only: &str) {
+/// Draws these figures of the small set again, with these options, and compares with a folder.
+fn are_current(folder: &Path, only: &str, options: &[&str]) {
     let place = tempfile::tempdir().unwrap();
-    let run = command(["figures", "--small", "--only", only, "--out"]).arg(place.path()).output().unwrap();
+    let mut run = command(["figures", "--small", "--only", only, "--out"]);
+    let run = run.arg(place.path()).args(options).output().unwrap();
     assert!(run.status.success(), "{}", stderr(&run));
-    let list = std::fs::read(place.path().join("figures.json")).unwrap();
-    let (before, after): (Value, Value) = (figures(), serde_json::from_slice(&list).unwrap());
+    let (before, after) = (list(folder), list(place.path()));
     let (of_record, here) = (&before["device"]["driver"], &after["device"]["driver"]);
     let tolerance = match here {
         Value::Null => EXACT,
@@ -166,7 +179,7 @@ fn are_current(only: &str) {
         found.extend(differences("figures.json", before, figure, tolerance));
         let files =
             figure["pictures"].as_array().unwrap().iter().map(|shown| shown["file"].as_str().unwrap());
-        found.extend(files.filter_map(|file| difference(file, place.path(), tolerance)));
+        found.extend(files.filter_map(|file| difference(file, [folder, place.path()], tolerance)));
     }
     assert!(found.is_empty(), "docs/figures is stale: `{RENEW}` draws it again\n{}", found.join("\n"));
 }
@@ -174,14 +187,15 @@ fn are_current(only: &str) {
 /// The pictures that take no device are those that the program draws now.
 #[test]
 fn drawn_pictures_are_current() {
-    are_current("2,3,4,5,errors,rotations,caps,filtering,front");
+    are_current(&folder(), "2,3,4,5,errors,rotations,caps,filtering,front", &[]);
+    are_current(&folder().join("dark"), "rotations,caps,filtering", &["--dark"]);
 }
 
 /// Rendered figures that take a second each are those that the program draws now. For figure 8 and the one on dither, which
 /// take ten, the record vouches: what draws them has not changed since.
 #[test]
 fn rendered_pictures_are_current() {
-    are_current("1,6,7,meyer");
+    are_current(&folder(), "1,6,7,meyer", &[]);
 }
 
 /// Small differences between drivers pass, and others do not; figures.json's words are always the same.
@@ -204,4 +218,25 @@ fn the_page_is_of_the_list() {
     let figures: Figures = serde_json::from_value(figures()).unwrap();
     let page = std::fs::read_to_string(folder().join("figures.md")).unwrap();
     assert!(page == figures.to_markdown(), "docs/figures/figures.md is stale: `{RENEW}` writes it again");
+}
+
+/// Pages show each picture for light and for dark pages.
+#[test]
+fn pages_have_dark_pictures() {
+    let mut dark = BTreeSet::new();
+    for page in ["README.md", "docs/dither.md", "docs/filtering.md", "docs/open-problems.md"] {
+        let text = std::fs::read_to_string(repository().join(page)).unwrap();
+        for part in text.split("<picture>").skip(1) {
+            let within = |before: &str| part.split(before).nth(1).unwrap().split('"').next().unwrap();
+            let (shown, file) = (within("srcset=\""), within("src=\"").split("figures/").nth(1).unwrap());
+            assert!(shown.ends_with(&format!("figures/dark/{file}")), "{page}: {shown} beside {file}");
+            dark.insert(file.to_owned());
+        }
+    }
+    let all = list(&folder().join("dark"));
+    for figure in all["figures"].as_array().unwrap() {
+        let mut files =
+            figure["pictures"].as_array().unwrap().iter().map(|shown| shown["file"].as_str().unwrap());
+        assert!(files.any(|file| dark.contains(file)), "no page shows figure {}", figure["id"]);
+    }
 }

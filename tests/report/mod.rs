@@ -88,7 +88,7 @@ fn the_page_says_what_it_lacks() {
     assert!(with.contains(viewer) && !with.contains(no_slider));
     let (_, pictures) = with.split_once("<script type=\"application/json\">").unwrap();
     let pictures: Value = serde_json::from_str(pictures.split_once("</script>").unwrap().0).unwrap();
-    assert_eq!(pictures.as_object().unwrap().len(), 3 * 18);
+    assert_eq!(pictures.as_object().unwrap().len(), 4 * 18);
     assert!(pictures.as_object().unwrap().iter().all(|(name, one)| {
         one["uri"].as_str().unwrap().starts_with("data:image/png;")
             && (name.ends_with("/float") || one["words"].as_str().unwrap().contains("SSIM"))

@@ -48,11 +48,13 @@ pub enum Material {
     Glossy,
     /// A mirror.
     Mirror,
+    /// With a highlight, by GGX.
+    Ggx,
 }
 
 impl Material {
-    /// All three.
-    pub const ALL: [Self; 3] = [Self::Lambertian, Self::Glossy, Self::Mirror];
+    /// The survey's three, and GGX.
+    pub const ALL: [Self; 4] = [Self::Lambertian, Self::Glossy, Self::Mirror, Self::Ggx];
 }
 
 /// The normals in the G-buffer.

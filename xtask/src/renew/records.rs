@@ -444,7 +444,7 @@ pub static RECORDS: &[Record] = &[
     },
     Record {
         name: "figures",
-        outputs: &[Bytes("docs/figures/*")],
+        outputs: &[Bytes("docs/figures/* docs/figures/dark/*")],
         from: "the codecs, the costs and the renderer, on lavapipe",
         // The inputs that the pictures show. Tests draw them again, and so hold them to the rest of the renderer.
         inputs: &[
@@ -456,7 +456,12 @@ pub static RECORDS: &[Record] = &[
             ],
         ],
         minutes: 2,
-        renew: || unitvec(&["figures", "--small", "--device", "lavapipe", "--out", "docs/figures"]),
+        renew: || {
+            unitvec(&["figures", "--small", "--device", "lavapipe", "--out", "docs/figures"])?;
+            let shown = "1,dither,rotations,caps,filtering";
+            let dark = ["figures", "--small", "--dark", "--device", "lavapipe", "--out", "docs/figures/dark"];
+            unitvec(&[&dark[..], &["--only", shown]].concat())
+        },
         ..FILE
     },
     Record {

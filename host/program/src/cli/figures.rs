@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use std::sync::Arc;
 use unitvec_files::Folder;
 use unitvec_host::Result;
-use unitvec_render::figures::{Camera, Figures, Options, Origin, Part, RgbImage, draw, named};
+use unitvec_render::figures::{Camera, Figures, Options, Origin, Part, RgbImage, Theme, draw, named};
 use unitvec_render::{MAX_SAMPLES, Material, Renderer, Seen, Shot, Size};
 use unitvec_run::backend::BackendKind;
 use unitvec_vulkan::{Device, DeviceInfo};
@@ -23,12 +23,15 @@ pub struct Arguments {
     /// Codec to show in place of those that figures 1, 5, 6, 7, 8, meyer and errors have; may be given again.
     #[arg(long, value_name = "ID,...", value_delimiter = ',')]
     codec: Vec<String>,
-    /// Material of figure 8; may be given again. All three if not given.
+    /// Material of figure 8; may be given again. All if not given.
     #[arg(long, value_name = "NAME")]
     material: Vec<Material>,
     /// Small sheets only, without the single pictures.
     #[arg(long)]
     small: bool,
+    /// White letters on black, for dark pages.
+    #[arg(long)]
+    dark: bool,
     /// Size of rendered pictures; 1280x720 if not given, 640x360 with --small.
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<Size>,
@@ -149,12 +152,13 @@ fn each_once<T>(list: Vec<T>, is_same: impl Fn(&T, &T) -> bool) -> Vec<T> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
-    let Arguments { only, output: out, small, size, rendering, .. } = arguments;
+    let Arguments { only, output: out, small, dark, size, rendering, .. } = arguments;
     rendering.vulkan.refuse_modules()?;
     let codecs = each_once(named(&arguments.codec)?, |a, b| a == b);
     let materials = if arguments.material.is_empty() { &Material::ALL } else { &arguments.material[..] };
     let materials = each_once(materials.to_vec(), |a, b| a == b);
-    let options = Options { small: *small, codecs, materials, whole: !small };
+    let theme = if *dark { Theme::DARK } else { Theme::LIGHT };
+    let options = Options { small: *small, theme, codecs, materials, whole: !small };
     let parts =
         if only.is_empty() { Part::value_variants() } else { &each_once(only.clone(), |a, b| a == b) };
     let mut studio = Studio::new(rendering, *size, *small);

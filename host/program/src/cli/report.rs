@@ -12,7 +12,7 @@ use unitvec_files::read_small;
 use unitvec_host::{Error, Result};
 use unitvec_render as render;
 use unitvec_render::Material;
-use unitvec_render::figures::{Figures, Options, Part};
+use unitvec_render::figures::{Figures, Options, Part, Theme};
 use unitvec_render::report;
 use unitvec_render::report::{Contents, Files, Machine};
 use unitvec_run::backend::BackendKind;
@@ -134,7 +134,13 @@ fn figures_of(folder: &Path) -> Result<(Figures, Files)> {
 /// Draws the figures, those that are rendered too if a device draws.
 fn draw_figures(arguments: &Arguments, draws: bool, messages: &mut Vec<String>) -> Result<(Figures, Files)> {
     let mut files = Files::new();
-    let options = Options { small: true, codecs: Vec::new(), materials: Material::ALL.to_vec(), whole: true };
+    let options = Options {
+        small: true,
+        theme: Theme::LIGHT,
+        codecs: Vec::new(),
+        materials: Material::ALL.to_vec(),
+        whole: true,
+    };
     let parts = Part::value_variants().iter().copied();
     let parts: Vec<Part> = parts.filter(|part| draws || !part.is_rendered()).collect();
     let mut studio = Studio::new(&arguments.rendering, None, true);

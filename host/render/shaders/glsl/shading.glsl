@@ -22,6 +22,7 @@ const vec3 LAMP = vec3(5.0, 5.0, 4.8);
 // Materials; 0 is Lambertian.
 const uint GLOSSY = 1u;
 const uint MIRROR = 2u;
+const uint GGX = 3u;
 
 float fraction(float x) {
     UNITVEC_PRECISE float rest = x - floor(x);
@@ -139,15 +140,26 @@ float power_256(float x) {
 }
 
 // Normalised Blinn-Phong with the exponent 256: (e + 8) / 8, since SUN_LIGHT is over pi.
-float highlight(vec3 n, vec3 ray) {
-    UNITVEC_PRECISE vec3 middle = SUN_DIRECTION - ray;
-    UNITVEC_PRECISE float value = 33.0 * power_256(facing(n, unitvec_normalize(middle)));
+float blinn_phong(float cosine) {
+    UNITVEC_PRECISE float value = 33.0 * power_256(cosine);
+    return value;
+}
+
+// GGX (Walter et al. 2007, eq. 33) with a roughness of 0.3, a = roughness^2: pi D / 4, which is 1 / (4 a^2 q^2), where
+// q = 1 + k (1 - cos^2) and k = 1 / a^2 - 1.
+float ggx(float cosine) {
+    UNITVEC_PRECISE float rest = 1.0 - square(cosine);
+    UNITVEC_PRECISE float q = 122.46 * rest + 1.0;
+    UNITVEC_PRECISE float value = 30.86 / square(q);
     return value;
 }
 
 // A highlight on a surface that is matt below.
-vec3 glossy(vec3 matt, vec3 n, vec3 ray) {
-    UNITVEC_PRECISE float specular = 0.05 * (highlight(n, ray) * facing(n, SUN_DIRECTION));
+vec3 glossy(vec3 matt, uint material, vec3 n, vec3 ray) {
+    UNITVEC_PRECISE vec3 middle = SUN_DIRECTION - ray;
+    UNITVEC_PRECISE float cosine = facing(n, unitvec_normalize(middle));
+    UNITVEC_PRECISE float highlight = material == GGX ? ggx(cosine) : blinn_phong(cosine);
+    UNITVEC_PRECISE float specular = 0.05 * (highlight * facing(n, SUN_DIRECTION));
     UNITVEC_PRECISE vec3 light = matt * 0.35 + SUN_LIGHT * specular;
     return light;
 }
@@ -164,5 +176,5 @@ vec3 seen(uint material, float object, vec3 n, vec3 ray) {
     // In one place, since compilers repeat the sky wherever it is called.
     if (is_sky || material == MIRROR) return sky(is_sky ? ray : mirrored(ray, n));
     UNITVEC_PRECISE vec3 matt = albedo(object) * diffuse(n);
-    return material == GLOSSY ? glossy(matt, n, ray) : matt;
+    return material == GLOSSY || material == GGX ? glossy(matt, material, n, ray) : matt;
 }

@@ -5,13 +5,8 @@ use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder, ImageResult, Rgb, RgbImage};
 use std::sync::LazyLock;
 
-/// Ink on paper.
-pub const INK: [u8; 3] = [24, 24, 27];
-/// Ink of what is read second.
-const PALE: [u8; 3] = [82, 82, 91];
 /// The frame of a part that is shown larger.
 const FRAME: [u8; 3] = [220, 38, 38];
-const PAPER: [u8; 3] = [255, 255, 255];
 /// The space between pictures, and around them.
 pub const GAP: u32 = 14;
 /// The space between pictures of one cell.
@@ -24,6 +19,22 @@ static INTER: LazyLock<[Option<FontRef<'static>>; 2]> = LazyLock::new(|| {
         [include_bytes!("../../data/Inter-Regular.ttf"), include_bytes!("../../data/Inter-SemiBold.ttf")];
     files.map(|file| FontRef::try_from_slice(file).ok())
 });
+
+/// The colours of a sheet around its pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Theme {
+    pub(super) ink: [u8; 3],
+    /// Ink of what is read second.
+    pale: [u8; 3],
+    pub(super) paper: [u8; 3],
+}
+
+impl Theme {
+    /// Black on white.
+    pub const LIGHT: Self = Self { ink: [24, 24, 27], pale: [82, 82, 91], paper: [255; 3] };
+    /// White on nearly the black of GitHub's dark pages: in steps of 5, as [`coarse`](super::paint::coarse) leaves them.
+    pub const DARK: Self = Self { ink: [240, 246, 252], pale: [145, 152, 161], paper: [15, 20, 25] };
+}
 
 /// Letters of a size, in pixels an em, and a weight.
 #[derive(Clone, Copy)]
@@ -87,11 +98,6 @@ impl Type {
 pub struct Canvas(pub RgbImage);
 
 impl Canvas {
-    /// A blank one.
-    pub fn new(width: u32, height: u32) -> Self {
-        Self(RgbImage::from_pixel(width, height, Rgb(PAPER)))
-    }
-
     /// Writes a line about a point: its top left corner, or its middle.
     pub fn write(&mut self, text: &str, at: (f32, f32), letters: Type, centred: bool, colour: [u8; 3]) {
         let Some((font, _)) = letters.font() else { return };
@@ -171,30 +177,72 @@ impl Layout {
     }
 }
 
-/// Pictures in rows, with their lines above them.
-pub fn sheet(cells: &[Cell], columns: u32) -> RgbImage {
-    headed_sheet(cells, columns, 1.0)
-}
-
-/// A [`sheet`] with names in letters so much larger than other lines.
-pub fn headed_sheet(cells: &[Cell], columns: u32, larger: f32) -> RgbImage {
-    let layout = Layout::of(cells, columns, larger);
-    let width = GAP + layout.columns * (layout.width + GAP);
-    let mut canvas = Canvas::new(width, layout.rows.last().map_or(GAP, |end| end.0));
-    for (at, cell) in (0u32..).zip(cells) {
-        let (left, top, lines) = layout.corner(at);
-        canvas.put(&cell.picture, left, top + lines);
-        let mut below = top as f32;
-        for (at, text) in cell.lines.iter().enumerate() {
-            let (letters, colour) = (layout.letters[at.min(1)], if at == 0 { INK } else { PALE });
-            canvas.write(text, (left as f32, below), letters, false, colour);
-            below += letters.line();
-        }
+impl Theme {
+    /// A blank canvas.
+    pub fn blank(self, width: u32, height: u32) -> Canvas {
+        Canvas(RgbImage::from_pixel(width, height, Rgb(self.paper)))
     }
-    canvas.0
+
+    /// Pictures in rows, with their lines above them.
+    pub fn sheet(self, cells: &[Cell], columns: u32) -> RgbImage {
+        self.headed_sheet(cells, columns, 1.0)
+    }
+
+    /// A [`sheet`](Self::sheet) with names in letters so much larger than other lines.
+    pub fn headed_sheet(self, cells: &[Cell], columns: u32, larger: f32) -> RgbImage {
+        let layout = Layout::of(cells, columns, larger);
+        let width = GAP + layout.columns * (layout.width + GAP);
+        let mut canvas = self.blank(width, layout.rows.last().map_or(GAP, |end| end.0));
+        for (at, cell) in (0u32..).zip(cells) {
+            let (left, top, lines) = layout.corner(at);
+            canvas.put(&cell.picture, left, top + lines);
+            let mut below = top as f32;
+            for (at, text) in cell.lines.iter().enumerate() {
+                let (letters, colour) =
+                    (layout.letters[at.min(1)], if at == 0 { self.ink } else { self.pale });
+                canvas.write(text, (left as f32, below), letters, false, colour);
+                below += letters.line();
+            }
+        }
+        canvas.0
+    }
+
+    /// A sheet with a caption below it, which says how to read it. Places stay what they are.
+    pub fn captioned(self, sheet: &RgbImage, caption: &str) -> RgbImage {
+        let letters = Type::of_width(sheet.width());
+        let lines = letters.wrapped(caption, sheet.width().saturating_sub(2 * GAP));
+        let height = lines.len() as u32 * letters.line() as u32 + GAP;
+        let mut canvas = self.blank(sheet.width(), sheet.height() + height);
+        canvas.put(sheet, 0, 0);
+        for (line, text) in (0u8..).zip(&lines) {
+            let top = sheet.height() as f32 + f32::from(line) * letters.line();
+            canvas.write(text, (GAP as f32, top), letters, false, self.ink);
+        }
+        canvas.0
+    }
+
+    /// Two pictures of one height beside each other.
+    pub fn beside(self, left: &RgbImage, right: &RgbImage) -> RgbImage {
+        let mut canvas = self.blank(left.width() + JOINT + right.width(), left.height());
+        canvas.put(left, 0, 0);
+        canvas.put(right, left.width() + JOINT, 0);
+        canvas.0
+    }
+
+    /// Pictures below each other.
+    pub fn stacked(self, pictures: &[&RgbImage]) -> RgbImage {
+        let width = pictures.iter().map(|picture| picture.width()).max().unwrap_or(1);
+        let height: u32 = pictures.iter().map(|picture| picture.height() + JOINT).sum();
+        let (mut canvas, mut top) = (self.blank(width, height.saturating_sub(JOINT)), 0);
+        for picture in pictures {
+            canvas.put(picture, 0, top);
+            top += picture.height() + JOINT;
+        }
+        canvas.0
+    }
 }
 
-/// The rectangle where [`sheet`] puts each picture: left, top, width and height.
+/// The rectangle where [`Theme::sheet`] puts each picture: left, top, width and height.
 pub fn places(cells: &[Cell], columns: u32) -> Vec<[u32; 4]> {
     let layout = Layout::of(cells, columns, 1.0);
     let place = |(at, cell): (u32, &Cell)| {
@@ -204,34 +252,12 @@ pub fn places(cells: &[Cell], columns: u32) -> Vec<[u32; 4]> {
     (0u32..).zip(cells).map(place).collect()
 }
 
-/// A sheet with a caption below it, which says how to read it. Places stay what they are.
-pub fn captioned(sheet: &RgbImage, caption: &str) -> RgbImage {
-    let letters = Type::of_width(sheet.width());
-    let lines = letters.wrapped(caption, sheet.width().saturating_sub(2 * GAP));
-    let height = lines.len() as u32 * letters.line() as u32 + GAP;
-    let mut canvas = Canvas::new(sheet.width(), sheet.height() + height);
-    canvas.put(sheet, 0, 0);
-    for (line, text) in (0u8..).zip(&lines) {
-        let top = sheet.height() as f32 + f32::from(line) * letters.line();
-        canvas.write(text, (GAP as f32, top), letters, false, INK);
-    }
-    canvas.0
-}
-
 /// A picture for a page, twice as large with the same pixels; others as they are.
 pub fn enlarged(picture: &RgbImage, small: bool) -> RgbImage {
     let times = 1 + u32::from(small);
     RgbImage::from_fn(times * picture.width(), times * picture.height(), |x, y| {
         *picture.get_pixel(x / times, y / times)
     })
-}
-
-/// Two pictures of one height beside each other.
-pub fn beside(left: &RgbImage, right: &RgbImage) -> RgbImage {
-    let mut canvas = Canvas::new(left.width() + JOINT + right.width(), left.height());
-    canvas.put(left, 0, 0);
-    canvas.put(right, left.width() + JOINT, 0);
-    canvas.0
 }
 
 /// A picture with a frame around a part of it.
@@ -245,18 +271,6 @@ pub fn framed(picture: &RgbImage, [left, top, width, height]: [u32; 4]) -> RgbIm
         let is_frame = is_within(x, y, LINE) && !is_within(x, y, 0);
         if is_frame { Rgb(FRAME) } else { *picture.get_pixel(x, y) }
     })
-}
-
-/// Pictures below each other.
-pub fn stacked(pictures: &[&RgbImage]) -> RgbImage {
-    let width = pictures.iter().map(|picture| picture.width()).max().unwrap_or(1);
-    let height: u32 = pictures.iter().map(|picture| picture.height() + JOINT).sum();
-    let (mut canvas, mut top) = (Canvas::new(width, height.saturating_sub(JOINT)), 0);
-    for picture in pictures {
-        canvas.put(picture, 0, top);
-        top += picture.height() + JOINT;
-    }
-    canvas.0
 }
 
 /// Encodes a picture as PNG: in grey where there is no colour.
@@ -323,8 +337,8 @@ mod tests {
             lines: vec!["oct".to_owned()],
         };
         let cells = [1, 2, 3].map(cell);
-        let sheet = sheet(&cells, 2);
-        assert!(sheet.pixels().any(|pixel| pixel.0 == INK));
+        let sheet = Theme::DARK.sheet(&cells, 2);
+        assert!(sheet.pixels().any(|pixel| pixel.0 == Theme::DARK.ink));
         let sheet = png(&sheet).unwrap();
         for (cut, cell) in cut(&sheet, &places(&cells, 2)).unwrap().iter().zip(&cells) {
             assert_eq!(image::load_from_memory(cut).unwrap().to_rgb8(), cell.picture);

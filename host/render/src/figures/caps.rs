@@ -1,6 +1,6 @@
 //! Error maps of caps.
 
-use super::canvas::{Cell, sheet};
+use super::canvas::{Cell, Theme};
 use super::errors::{LAST_COLOUR, ends, explained, heat, last_colour, scale_deg};
 use super::paint::{self, Colour, SAMPLES};
 use super::points::{in_words, numbers};
@@ -59,11 +59,11 @@ impl<C: Listed> Tried<C> {
 }
 
 /// The map of a codec, seen along the axis, with its numbers.
-fn map<C: Listed>(side: u32, degrees: Option<f64>) -> (Cell, [Number; 2]) {
+fn map<C: Listed>(theme: Theme, side: u32, degrees: Option<f64>) -> (Cell, [Number; 2]) {
     let tried = Tried::<C>::new(degrees);
     let (scale, rim) = (scale_deg(BITS), tried.angle.cos());
     let colour = |v: DVec3| if v.z < rim { OUTSIDE } else { heat(tried.error_deg(v) / scale) };
-    let picture = paint::coarse(paint::disc(side, SAMPLES, DMat3::IDENTITY, colour));
+    let picture = paint::coarse(paint::disc(theme, side, SAMPLES, DMat3::IDENTITY, colour));
     let what = degrees.map_or_else(|| "without a cap".to_owned(), |degrees| format!("cap of {degrees} deg"));
     let (name, errors) = (format!("{}, {what}", C::NAME), tried.errors());
     (Cell { picture, lines: vec![name.clone(), in_words(&errors)] }, numbers(&name, &errors))
@@ -72,8 +72,8 @@ fn map<C: Listed>(side: u32, degrees: Option<f64>) -> (Cell, [Number; 2]) {
 /// Error maps of a codec of the sphere and one of the hemisphere, in caps.
 pub fn caps(options: &Options) -> Figure {
     let side = if options.small { 220 } else { 360 };
-    let sphere = ANGLES.map(|degrees| map::<OctPrecise16>(side, degrees));
-    let hemisphere = ANGLES.map(|degrees| map::<HemiOctPrecise16>(side, degrees));
+    let sphere = ANGLES.map(|degrees| map::<OctPrecise16>(options.theme, side, degrees));
+    let hemisphere = ANGLES.map(|degrees| map::<HemiOctPrecise16>(options.theme, side, degrees));
     let (cells, of_cells): (Vec<Cell>, Vec<_>) = sphere.into_iter().chain(hemisphere).unzip();
     let numbers = std::iter::once(last_colour(BITS, scale_deg(BITS))).chain(of_cells.into_iter().flatten());
     let caption = format!(
@@ -83,11 +83,11 @@ pub fn caps(options: &Options) -> Figure {
          the least possible maximum over the sphere, or more. Means and maxima are of the whole domain or cap."
     );
     let alt = "Discs coloured by the error of a codec at each direction, darker the smaller the cap";
-    let sheet = sheet(&cells, ANGLES.len() as u32);
+    let sheet = options.theme.sheet(&cells, ANGLES.len() as u32);
     let pictures = vec![Shown::picture(
         "caps.png",
         alt,
-        explained(&sheet, ends(&[(BITS, scale_deg(BITS))].into()), &caption),
+        explained(options.theme, &sheet, ends(&[(BITS, scale_deg(BITS))].into()), &caption),
     )];
     Figure::new("caps", "Caps", caption, pictures).with(numbers.collect())
 }

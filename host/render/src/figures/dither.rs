@@ -1,7 +1,7 @@
 //! Dithered normals: the pictures of plain ones beside them, and a turning object.
 
 use super::camera::{Camera, shot};
-use super::canvas::{Cell, captioned, crop, enlarged, sheet};
+use super::canvas::{Cell, crop, enlarged};
 use super::compare::{Original, mean};
 use super::pictures::{MANY, take, window};
 use super::{Figure, Labelled, Number, Options, Shown, named};
@@ -75,7 +75,11 @@ pub fn dither(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
              oct16 differs most from floats. Numbers are of the whole picture's difference, in steps of 1/255."
         );
         let alt = format!("The {name} with plain normals and with dithered ones");
-        let shown = Shown::picture(format!("dither_{name}.png"), &alt, captioned(&sheet(&cells, 4), &words));
+        let shown = Shown::picture(
+            format!("dither_{name}.png"),
+            &alt,
+            options.theme.captioned(&options.theme.sheet(&cells, 4), &words),
+        );
         pictures.push(Shown { differences, ..shown });
     }
     let (strip, of_turning) = turning(camera, options)?;
@@ -237,7 +241,11 @@ fn turning(camera: &mut dyn Camera, options: &Options) -> Result<(Shown, Vec<Num
     let words = "A mirroring sphere that turns, about a pixel a frame: below each other, plain normals, and normals dithered by \
                  three kinds of offset.";
     Ok((
-        Shown::picture("dither_turning.png", alt, captioned(&sheet(&cells, u32::from(strip)), words)),
+        Shown::picture(
+            "dither_turning.png",
+            alt,
+            options.theme.captioned(&options.theme.sheet(&cells, u32::from(strip)), words),
+        ),
         numbers,
     ))
 }

@@ -1,6 +1,6 @@
 //! Error maps over the sphere.
 
-use super::canvas::{Canvas, Cell, GAP, INK, Type, captioned, sheet, stacked};
+use super::canvas::{Cell, GAP, Theme, Type};
 use super::paint::{self, Colour, SAMPLES, from_srgb};
 use super::points;
 use super::{Figure, Number, Options, Shown};
@@ -28,10 +28,10 @@ pub fn scale_deg(bits: u32) -> f64 {
     LAST_COLOUR * covering_bound_deg(bits, Domain::Sphere).1
 }
 
-fn error_map(codec: &'static AnyCodec, side: u32) -> RgbImage {
+fn error_map(theme: Theme, codec: &'static AnyCodec, side: u32) -> RgbImage {
     let scale = scale_deg(codec.bits);
     let view = paint::of_domain(codec.domain);
-    paint::coarse(paint::disc(side, SAMPLES, view, |v| {
+    paint::coarse(paint::disc(theme, side, SAMPLES, view, |v| {
         let v = v.as_vec3().to_array();
         heat(unitvec::angle_deg(v, codec.decode_one(codec.encode_one(v))) / scale)
     }))
@@ -46,7 +46,7 @@ pub fn errors(options: &Options) -> Result<Figure> {
     let (mut cells, mut scales) = (Vec::new(), BTreeMap::new());
     for codec in options.codecs_or(MAPPED)? {
         let lines = points::named_lines(codec, &points::errors(codec)?);
-        cells.push(Cell { picture: error_map(codec, side), lines });
+        cells.push(Cell { picture: error_map(options.theme, codec, side), lines });
         scales.insert(codec.bits, scale_deg(codec.bits));
     }
     let numbers = scales.iter().map(|(bits, scale)| last_colour(*bits, *scale));
@@ -55,8 +55,11 @@ pub fn errors(options: &Options) -> Result<Figure> {
          number of bits, or more. Codecs of as many bits share one scale."
     );
     let alt = "Spheres coloured by the error of a codec at each direction";
-    let pictures =
-        vec![Shown::picture("errors.png", alt, explained(&sheet(&cells, 7), ends(&scales), &caption))];
+    let pictures = vec![Shown::picture(
+        "errors.png",
+        alt,
+        explained(options.theme, &options.theme.sheet(&cells, 7), ends(&scales), &caption),
+    )];
     Ok(Figure::new("errors", "Error maps", caption, pictures).with(numbers.collect()))
 }
 
@@ -72,14 +75,14 @@ pub fn ends(scales: &BTreeMap<u32, f64>) -> [String; 2] {
 }
 
 /// A sheet of maps with their colours between the errors of the first and the last one, and a caption below it.
-pub fn explained(sheet: &RgbImage, [first, last]: [String; 2], caption: &str) -> RgbImage {
+pub fn explained(theme: Theme, sheet: &RgbImage, [first, last]: [String; 2], caption: &str) -> RgbImage {
     let letters = Type::of_width(sheet.width());
     let (height, width) = (letters.line() as u32, sheet.width() / 3);
-    let mut canvas = Canvas::new(sheet.width(), height + GAP);
+    let mut canvas = theme.blank(sheet.width(), height + GAP);
     let left = 2 * GAP + letters.width(&first);
     canvas.put(&paint::strip(width, height, heat), left, 0);
     for (text, left) in [(first, GAP), (last, left + width + GAP)] {
-        canvas.write(&text, (left as f32, 0.0), letters, false, INK);
+        canvas.write(&text, (left as f32, 0.0), letters, false, theme.ink);
     }
-    captioned(&stacked(&[sheet, &canvas.0]), caption)
+    theme.captioned(&theme.stacked(&[sheet, &canvas.0]), caption)
 }

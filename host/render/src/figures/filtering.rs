@@ -1,6 +1,6 @@
 //! Maps of what blending components does, over the sphere.
 
-use super::canvas::{Cell, sheet};
+use super::canvas::{Cell, Theme};
 use super::errors::{explained, heat};
 use super::{Figure, Options, Shown, paint};
 use glam::DVec3;
@@ -19,17 +19,17 @@ fn colour(degrees: f64) -> paint::Colour {
     heat((degrees / SCALE[0]).log10() / (SCALE[1] / SCALE[0]).log10())
 }
 
-fn cell(map: &Map, side: u32) -> Cell {
+fn cell(theme: Theme, map: &Map, side: u32) -> Cell {
     let view = paint::of_domain(map.domain);
     let colour = |v: DVec3| colour(map.midpoint_deg(v, APART, LINES));
-    let picture = paint::coarse(paint::disc(side, 2, view, colour));
+    let picture = paint::coarse(paint::disc(theme, side, 2, view, colour));
     Cell { picture, lines: vec![map.name.to_owned()] }
 }
 
 /// Maps of the error of the midpoint of two neighbours, for each map of directions.
 pub fn filtering(options: &Options) -> Figure {
     let side = if options.small { 130 } else { 360 };
-    let blended = MAPS.iter().filter(|map| map.name != "xyz").map(|map| cell(map, side));
+    let blended = MAPS.iter().filter(|map| map.name != "xyz").map(|map| cell(options.theme, map, side));
     let cells: Vec<Cell> = blended.collect();
     let caption = format!(
         "The error of the midpoint of two directions {APART} degree apart whose components are blended and then decoded, to that of \
@@ -39,7 +39,12 @@ pub fn filtering(options: &Options) -> Figure {
         SCALE[0], SCALE[1]
     );
     let alt = "Spheres coloured by the error of blended components at each direction";
-    let picture = explained(&sheet(&cells, 6), SCALE.map(|error| format!("{error}\u{b0}")), &caption);
+    let picture = explained(
+        options.theme,
+        &options.theme.sheet(&cells, 6),
+        SCALE.map(|error| format!("{error}\u{b0}")),
+        &caption,
+    );
     let pictures = vec![Shown::picture("filtering.png", alt, picture)];
     Figure::new("filtering", "What filtering does to components", caption, pictures)
 }

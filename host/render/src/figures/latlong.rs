@@ -1,6 +1,6 @@
 //! The numbering of `latlong`'s patches (figure 2).
 
-use super::canvas::{Canvas, Cell, INK, Type, captioned, sheet};
+use super::canvas::{Canvas, Cell, Theme, Type};
 use super::paint::{self, Colour, SAMPLES, from_srgb};
 use super::{Figure, Number, Options, Shown};
 use glam::DVec3;
@@ -74,7 +74,7 @@ impl Patches {
         let width = TAU / count as f64 * v.truncate().length();
         let near = |part: f64, size: f64| part.min(1.0 - part) * size < LINE;
         if near(down, height) || (count > 1 && near(along, width)) {
-            return from_srgb(INK);
+            return from_srgb(Theme::LIGHT.ink);
         }
         from_srgb([[222, 235, 247], [253, 231, 203], [229, 245, 224]][(patch + 2 * ring) % 3])
     }
@@ -90,7 +90,7 @@ pub fn numbering(options: &Options) -> Figure {
     let letters = Type { size: side as f32 / 40.0, is_bold: false };
     let patches = Patches::fewest(PATCH_ERROR);
     let view = paint::from_the_side();
-    let mut canvas = Canvas(paint::disc(side, SAMPLES, view, |v| patches.colour(v)));
+    let mut canvas = Canvas(paint::disc(options.theme, side, SAMPLES, view, |v| patches.colour(v)));
     for ring in 0..patches.rings() {
         let count = patches.first[ring + 1] - patches.first[ring];
         for patch in 0..count {
@@ -104,7 +104,7 @@ pub fn numbering(options: &Options) -> Figure {
             if let Some(place) = paint::place(middle, view) {
                 let at = paint::pixel(place, side);
                 let number = (patches.first[ring] + patch).to_string();
-                canvas.write(&number, (at.x as f32, at.y as f32), letters, true, INK);
+                canvas.write(&number, (at.x as f32, at.y as f32), letters, true, Theme::LIGHT.ink);
             }
         }
     }
@@ -118,7 +118,9 @@ pub fn numbering(options: &Options) -> Figure {
     let shown = Shown::picture(
         "figure2.png",
         alt,
-        captioned(&sheet(&[Cell { picture: canvas.0, lines: Vec::new() }], 1), &caption),
+        options
+            .theme
+            .captioned(&options.theme.sheet(&[Cell { picture: canvas.0, lines: Vec::new() }], 1), &caption),
     );
     Figure::new("2", "latlong's patches", caption, vec![shown]).with(vec![
         Number::new("patches", patches.count() as f64),

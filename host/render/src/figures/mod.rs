@@ -22,6 +22,7 @@ mod rounding;
 mod unfolding;
 
 pub use camera::Camera;
+pub use canvas::Theme;
 pub(crate) use canvas::cut;
 pub use compare::{Difference, Original, rank_correlation};
 pub use figure::{Figure, Figures, Labelled, Number, Origin, Place, Shown, Subject};
@@ -58,7 +59,7 @@ pub enum Part {
     /// Glossy surfaces.
     #[value(name = "7")]
     Seven,
-    /// The survey's codecs with three materials.
+    /// The survey's codecs with all materials.
     #[value(name = "8")]
     Eight,
     /// Meyer's figure 3: a highlight on a panel.
@@ -93,6 +94,8 @@ impl Part {
 pub struct Options {
     /// Pictures for a page instead of a screen.
     pub small: bool,
+    /// The colours around pictures.
+    pub theme: Theme,
     /// Codecs in place of a figure's own; empty for its own.
     pub codecs: Vec<&'static AnyCodec>,
     /// Materials of figure 8.
@@ -110,12 +113,14 @@ impl Options {
 }
 
 /// The front of error against cost, as [`pareto`] draws it.
-fn front() -> Result<Figure> {
+fn front(theme: Theme) -> Result<Figure> {
     let failed = |error: String| Error::Front(error);
     let generation =
         find_generation(USUAL).ok_or_else(|| failed(format!("no costs of {USUAL} ship with the program")))?;
     let report = generation.shipped()?;
     let svg = pareto::svg(&report).map_err(|error| failed(error.to_string()))?;
+    let [ink, paper] = [theme.ink, theme.paper].map(|[r, g, b]| format!("#{r:02X}{g:02X}{b:02X}"));
+    let svg = svg.replace("#000000", &ink).replace("#FFFFFF", &paper);
     let caption = format!(
         "The error's bound against cost on {}, decoding and encoding, in cycles. A codec with a name is on the front of its size: none that \
          takes as much room is both finer and cheaper.",
@@ -159,7 +164,7 @@ fn drawn(part: Part, options: &Options, camera: &mut dyn Camera) -> Result<Figur
         Part::Rotations => rotations::rotations(options),
         Part::Caps => Ok(caps::caps(options)),
         Part::Filtering => Ok(filtering::filtering(options)),
-        Part::Front => front(),
+        Part::Front => front(options.theme),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Pictures from functions: of the sphere as seen from far away, and of a square.
 
+use super::canvas::Theme;
 use crate::picture::{linear, srgb8};
 use glam::{DMat3, DVec2, DVec3};
 use image::{Rgb, RgbImage};
@@ -55,9 +56,16 @@ pub fn coarse(mut picture: RgbImage) -> RgbImage {
     picture
 }
 
-/// A picture of a function of directions, over the half of the sphere that is seen; white around it.
-pub fn disc(side: u32, samples: u32, view: DMat3, colour: impl Fn(DVec3) -> Colour + Sync) -> RgbImage {
-    square(side, samples, |place| seen(place, view).map_or(Colour::ONE, &colour))
+/// A picture of a function of directions, over the half of the sphere that is seen; paper around it.
+pub fn disc(
+    theme: Theme,
+    side: u32,
+    samples: u32,
+    view: DMat3,
+    colour: impl Fn(DVec3) -> Colour + Sync,
+) -> RgbImage {
+    let paper = from_srgb(theme.paper);
+    square(side, samples, |place| seen(place, view).map_or(paper, &colour))
 }
 
 /// The direction that is seen at a place of a disc's square.
@@ -104,11 +112,11 @@ impl Dots {
         }
     }
 
-    /// Converts the image to a picture, black on white.
-    pub fn picture(&self) -> RgbImage {
+    /// Converts the image to a picture, in the paper's opposite on the paper.
+    pub fn picture(&self, theme: Theme) -> RgbImage {
         let pixels = self.ink.iter().flat_map(|ink| {
-            let grey = (255.0 * (-ink).exp()).round() as u8;
-            [grey; 3]
+            let left = 2.0 * (-ink).exp() - 1.0;
+            theme.paper.map(f64::from).map(|paper| (127.5 + (paper - 127.5) * left).round() as u8)
         });
         coarse(RgbImage::from_raw(self.side, self.side, pixels.collect()).unwrap_or_default())
     }

@@ -1,9 +1,7 @@
 //! Figures of the rendered scene: 1, 6, 7, 8 and Meyer's third.
 
 use super::camera::{Camera, closer, shot, shrunk};
-use super::canvas::{
-    Canvas, Cell, GAP, INK, Type, beside, captioned, crop, framed, headed_sheet, places, sheet, stacked,
-};
+use super::canvas::{Cell, GAP, Type, crop, framed, places};
 use super::compare::{Difference, Original, amplified, most_different};
 use super::ranks::ranks;
 use super::{Figure, Labelled, Number, Options, Place, Shown, Subject};
@@ -20,6 +18,7 @@ fn name(material: Material) -> &'static str {
         Material::Lambertian => "lambertian",
         Material::Glossy => "glossy",
         Material::Mirror => "mirror",
+        Material::Ggx => "ggx",
     }
 }
 
@@ -164,13 +163,18 @@ pub fn one(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
     let reflections = zoomed(camera, &mirror, Material::Mirror, wide, width)?;
     let cells = reflections.iter().zip(&edges).zip(&highlights).zip(&mirror);
     let cells = cells.map(|((([reflection, beside], [edge, _]), [highlight, _]), shown)| Cell {
-        picture: stacked(&[&framed(reflection, within(near, wide, width)), edge, beside, highlight]),
+        picture: options.theme.stacked(&[
+            &framed(reflection, within(near, wide, width)),
+            edge,
+            beside,
+            highlight,
+        ]),
         lines: vec![format!("{} bits", shown.codec.map_or(96, |codec| codec.bits)), shown.label.clone()],
     });
     let mut cells: Vec<Cell> = cells.collect();
     // Floats come last, as in the survey.
     cells.rotate_left(1);
-    let columns = headed_sheet(&cells, cells.len() as u32, 1.6);
+    let columns = options.theme.headed_sheet(&cells, cells.len() as u32, 1.6);
     let words = format!(
         "From above: a panel that mirrors lamps; the framed edge, three times larger; the mirror's difference to floats \u{d7} \
          {TIMES}, and for floats the whole view; a highlight. snorm8x3 has a byte for each component."
@@ -178,11 +182,11 @@ pub fn one(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
     let alt = "Normals as oct16P, snorm8x3, oct24P and floats: the mirrored lamps of a panel, an edge of one, the difference to \
                floats, and a highlight";
     let letters = Type { size: columns.width() as f32 / 38.0, is_bold: true };
-    let mut head = Canvas::new(columns.width(), GAP + letters.line() as u32);
+    let mut head = options.theme.blank(columns.width(), GAP + letters.line() as u32);
     if options.codecs.is_empty() {
-        head.write(HEADLINE, (GAP as f32, GAP as f32), letters, false, INK);
+        head.write(HEADLINE, (GAP as f32, GAP as f32), letters, false, options.theme.ink);
     }
-    let all = captioned(&stacked(&[&head.0, &columns]), &words);
+    let all = options.theme.captioned(&options.theme.stacked(&[&head.0, &columns]), &words);
     let shown = Shown::picture("figure1.png", alt, all);
     let (mut off, mut pictures) = (Vec::new(), Vec::new());
     for (compared, material) in [(&mirror, Material::Mirror), (&glossy, Material::Glossy)] {
@@ -237,7 +241,11 @@ pub fn difference(camera: &mut dyn Camera, options: &Options, material: Material
         capital(name(material))
     );
     let alt = format!("{} surfaces with floats, with a 16-bit codec, and the difference", name(material));
-    let shown = Shown::picture(format!("figure{id}.png"), alt, captioned(&sheet(&cells, 3), &caption));
+    let shown = Shown::picture(
+        format!("figure{id}.png"),
+        alt,
+        options.theme.captioned(&options.theme.sheet(&cells, 3), &caption),
+    );
     let mut pictures = vec![Shown { differences: differences(&compared), ..shown }];
     pictures.extend(singles(options, &compared, &format!("figure{id}"), material));
     Ok(Figure::new(id, format!("{} surfaces", capital(name(material))), caption, pictures).with(numbers))
@@ -266,19 +274,23 @@ pub fn eight(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
         let coarsest = compared[1..].iter().min_by_key(|shown| shown.codec.map(|codec| codec.bits));
         let part = coarsest.map_or([0; 4], |shown| window(options, MANY, float, &shown.picture));
         let name = name(*material);
-        let alt =
-            format!("{name} surfaces with the normals of all codecs of the figure, and their differences");
+        let surfaces = if *material == Material::Ggx { "GGX" } else { name };
+        let alt = format!(
+            "{surfaces} surfaces with the normals of all codecs of the figure, and their differences"
+        );
         let zooms = zoomed(camera, &compared, *material, part, width)?;
         let cells = zooms.iter().zip(&compared);
-        let cells =
-            cells.map(|([zoom, other], shown)| Cell { picture: beside(zoom, other), lines: shown.lines() });
+        let cells = cells.map(|([zoom, other], shown)| Cell {
+            picture: options.theme.beside(zoom, other),
+            lines: shown.lines(),
+        });
         let cells: Vec<Cell> = cells.collect();
         let words = format!(
             "Normals in 16, 24 and 32 bits, by columns; in the first row floats, and components of 8 and of 10 bits. Left a part of \
-             the {name} surfaces, right its difference to floats \u{d7} {TIMES}, or of floats the whole view. Numbers are of whole \
+             the {surfaces} surfaces, right its difference to floats \u{d7} {TIMES}, or of floats the whole view. Numbers are of whole \
              views: the difference in steps of 1/255, the structural similarity, and FLIP."
         );
-        let all = captioned(&sheet(&cells, COLUMNS), &words);
+        let all = options.theme.captioned(&options.theme.sheet(&cells, COLUMNS), &words);
         let all = Shown::picture(format!("figure8_{name}.png"), alt, all);
         let places = compared.iter().map(|shown| shown.subject(*material)).zip(places(&cells, COLUMNS));
         let places =
@@ -329,7 +341,8 @@ pub fn meyer(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
     let cells: Vec<Cell> = compared.iter().map(whole).collect();
     let caption = "Figure 3 of Meyer et al.: the Blinn-Phong highlight of a nearly flat panel, with normals in 16 bits. The \
                    points of fib16, on a spherical Fibonacci lattice, stand for their table.";
-    let all = Shown::picture("meyer3.png", alt, captioned(&sheet(&cells, 4), caption));
+    let all =
+        Shown::picture("meyer3.png", alt, options.theme.captioned(&options.theme.sheet(&cells, 4), caption));
     let mut pictures = vec![Shown { differences: differences(&compared), ..all }];
     pictures.extend(singles(options, &compared, "meyer3", Material::Glossy));
     Ok(Figure::new("meyer", "Meyer's figure 3: a highlight", caption, pictures))

@@ -1,6 +1,6 @@
 //! The places of the representable unit vectors (figure 5).
 
-use super::canvas::{Cell, captioned, sheet};
+use super::canvas::Cell;
 use super::paint::{self, Dots};
 use super::{Figure, Number, Options, Shown};
 use crate::Result;
@@ -77,14 +77,15 @@ pub fn points(options: &Options) -> Result<Figure> {
         let ink = share * 2.2 * (f64::from(side) / 360.0).powf(1.5);
         directions.iter().filter_map(|v| paint::place(*v, view)).for_each(|place| dots.add(place, ink));
         let lines = named_lines(codec, &errors(codec)?);
-        cells.push(Cell { picture: dots.picture(), lines });
+        cells.push(Cell { picture: dots.picture(options.theme), lines });
         numbers.push(Number::new(format!("{}, points", codec.id), directions.len() as f64));
     }
     let caption = "The unit vectors that a code can stand for. The more even the grey the better: where points are dense, and \
                    the picture dark, errors are small at the cost of others. All codes have 16 bits but those of snorm8x3, \
                    whose dots are fainter: together they have the ink of 2^16. ico16, fib16 and eaoct16 are not in the survey.";
     let alt = "Spheres covered with dots, one for each codec";
-    let shown = Shown::picture("figure5.png", alt, captioned(&sheet(&cells, 6), caption));
+    let shown =
+        Shown::picture("figure5.png", alt, options.theme.captioned(&options.theme.sheet(&cells, 6), caption));
     Ok(Figure::new("5", "Representable unit vectors", caption, vec![shown]).with(numbers))
 }
 

@@ -1,8 +1,8 @@
 //! Rotations in 32 bits: the way of a pointer that turns slowly, and the error over rotations.
 
-use super::canvas::{Cell, sheet};
+use super::canvas::{Cell, Theme};
 use super::errors::{LAST_COLOUR, ends, explained, heat, last_colour};
-use super::paint::{self, Colour, Dots, MARGIN, SAMPLES};
+use super::paint::{self, Dots, MARGIN, SAMPLES, from_srgb};
 use super::points::{errors, in_words, numbers};
 use super::{Figure, Number, Options, Shown};
 use crate::Result;
@@ -58,7 +58,7 @@ fn error_deg(codec: &AnyCodec, q: DQuat) -> f64 {
 }
 
 /// Where a pointer's tip is seen as it goes around a circle, frame by frame, over the circle.
-fn way(side: u32, seen: impl Fn(DQuat) -> DQuat) -> RgbImage {
+fn way(theme: Theme, side: u32, seen: impl Fn(DQuat) -> DQuat) -> RgbImage {
     let mut dots = Dots::new(side);
     let mut line = |from: DVec2, to: DVec2, ink: f64| {
         let steps = (from.distance(to) * f64::from(side)).ceil();
@@ -76,13 +76,18 @@ fn way(side: u32, seen: impl Fn(DQuat) -> DQuat) -> RgbImage {
         }
         last = place;
     }
-    dots.picture()
+    dots.picture(theme)
 }
 
-fn map(codec: &AnyCodec, side: u32, rotation: impl Fn(DVec2) -> Option<DQuat> + Sync) -> RgbImage {
-    let scale = scale_deg();
+fn map(
+    theme: Theme,
+    codec: &AnyCodec,
+    side: u32,
+    rotation: impl Fn(DVec2) -> Option<DQuat> + Sync,
+) -> RgbImage {
+    let (scale, paper) = (scale_deg(), from_srgb(theme.paper));
     paint::coarse(paint::square(side, SAMPLES, |place| {
-        rotation(place).map_or(Colour::ONE, |q| heat(error_deg(codec, q) / scale))
+        rotation(place).map_or(paper, |q| heat(error_deg(codec, q) / scale))
     }))
 }
 
@@ -119,14 +124,17 @@ pub fn rotations(options: &Options) -> Result<Figure> {
     let all = CODECS.into_iter().map(Measured::new).collect::<Result<Vec<_>>>()?;
     let cell = |picture, lines: [&str; 2]| Cell { picture, lines: lines.map(str::to_owned).to_vec() };
     let pointers = all.iter().map(|Measured(codec, name, ..)| {
-        cell(way(side, |q| decoded(codec, q)), [name, "a pointer goes around"])
+        cell(way(options.theme, side, |q| decoded(codec, q)), [name, "a pointer goes around"])
     });
     let mut cells: Vec<Cell> = pointers.collect();
     cells.extend(all.iter().map(|Measured(codec, _, everywhere, _)| {
-        cell(map(codec, side, turn), ["all rotations", &in_words(everywhere)])
+        cell(map(options.theme, codec, side, turn), ["all rotations", &in_words(everywhere)])
     }));
     cells.extend(all.iter().map(|Measured(codec, _, _, part)| {
-        cell(map(codec, side, |place| Some(tipped(place))), ["the first row's part", &in_words(part)])
+        cell(
+            map(options.theme, codec, side, |place| Some(tipped(place))),
+            ["the first row's part", &in_words(part)],
+        )
     }));
     let numbers =
         std::iter::once(last_colour(BITS, scale_deg())).chain(all.iter().flat_map(Measured::numbers));
@@ -144,7 +152,12 @@ pub fn rotations(options: &Options) -> Result<Figure> {
     let pictures = vec![Shown::picture(
         "rotations.png",
         alt,
-        explained(&sheet(&cells, 3), ends(&[(BITS, scale_deg())].into()), &caption),
+        explained(
+            options.theme,
+            &options.theme.sheet(&cells, 3),
+            ends(&[(BITS, scale_deg())].into()),
+            &caption,
+        ),
     )];
     Ok(Figure::new("rotations", "Rotations", caption, pictures).with(numbers.collect()))
 }

@@ -1,6 +1,6 @@
 //! The unfolding of a sphere's octants into a square (figure 3).
 
-use super::canvas::{Cell, captioned, sheet};
+use super::canvas::Cell;
 use super::paint::{self, Colour, SAMPLES, from_srgb};
 use super::{Figure, Options, Shown};
 use glam::{DMat3, DVec2, DVec3};
@@ -39,11 +39,13 @@ fn on_octahedron(place: DVec2, view: DMat3) -> Option<(DVec3, DVec3)> {
 pub fn unfolding(options: &Options) -> Figure {
     let side = if options.small { 360 } else { 480 };
     let view = paint::from_the_side();
-    let sphere = paint::disc(side, SAMPLES, view, |v| unfolded_colour(v) * (0.55 + 0.45 * (view * v).z));
+    let sphere = paint::disc(options.theme, side, SAMPLES, view, |v| {
+        unfolded_colour(v) * (0.55 + 0.45 * (view * v).z)
+    });
     let octahedron = paint::square(side, SAMPLES, |place| {
         let lit =
             |(point, normal): (DVec3, DVec3)| unfolded_colour(point) * (0.45 + 0.55 * (view * normal).z);
-        on_octahedron(place, view).map_or(Colour::ONE, lit)
+        on_octahedron(place, view).map_or(from_srgb(options.theme.paper), lit)
     });
     let square = paint::square(side, SAMPLES, |place| {
         unfolded_colour(DVec3::from_array(Oct::direction(place.to_array())))
@@ -53,7 +55,11 @@ pub fn unfolding(options: &Options) -> Figure {
     let caption = "How oct maps the octants of the sphere to the faces of an octahedron, projects these to the plane, and \
                    unfolds the lower four outwards, which fills the square. The lines are those of a grid on the square.";
     let alt = "The same eight coloured octants on a sphere, on an octahedron and on a square";
-    let pictures = vec![Shown::picture("figure3.png", alt, captioned(&sheet(&cells, 3), caption))];
+    let pictures = vec![Shown::picture(
+        "figure3.png",
+        alt,
+        options.theme.captioned(&options.theme.sheet(&cells, 3), caption),
+    )];
     Figure::new("3", "oct unfolds the sphere", caption, pictures)
 }
 

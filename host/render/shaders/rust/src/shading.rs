@@ -26,6 +26,7 @@ const LAMP: Vec3 = Vec3::new(5.0, 5.0, 4.8);
 /// Materials; 0 is Lambertian.
 const GLOSSY: u32 = 1;
 const MIRROR: u32 = 2;
+const GGX: u32 = 3;
 
 fn fraction(x: f32) -> f32 {
     x - floor(x)
@@ -142,13 +143,22 @@ fn power_256(x: f32) -> f32 {
 }
 
 /// Normalised Blinn-Phong with the exponent 256: `(e + 8) / 8`, since [`SUN_LIGHT`] is over pi.
-fn highlight(n: Vec3, ray: Vec3) -> f32 {
-    33.0 * power_256(facing(n, normalize(SUN_DIRECTION - ray)))
+fn blinn_phong(cosine: f32) -> f32 {
+    33.0 * power_256(cosine)
+}
+
+/// GGX (Walter et al. 2007, eq. 33) with a roughness of 0.3, `a = roughness^2`: `pi D / 4`, which is
+/// `1 / (4 a^2 q^2)`, where `q = 1 + k (1 - cos^2)` and `k = 1 / a^2 - 1`.
+fn ggx(cosine: f32) -> f32 {
+    let q = 122.46 * (1.0 - square(cosine)) + 1.0;
+    30.86 / square(q)
 }
 
 /// A highlight on a surface that is matt below.
-fn glossy(matt: Vec3, n: Vec3, ray: Vec3) -> Vec3 {
-    let specular = 0.05 * (highlight(n, ray) * facing(n, SUN_DIRECTION));
+fn glossy(matt: Vec3, material: u32, n: Vec3, ray: Vec3) -> Vec3 {
+    let cosine = facing(n, normalize(SUN_DIRECTION - ray));
+    let highlight = if material == GGX { ggx(cosine) } else { blinn_phong(cosine) };
+    let specular = 0.05 * (highlight * facing(n, SUN_DIRECTION));
     matt * 0.35 + SUN_LIGHT * specular
 }
 
@@ -164,6 +174,7 @@ pub fn seen(material: u32, object: f32, n: Vec3, ray: Vec3) -> Vec3 {
     // The sky is computed in one place, since compilers repeat it wherever it is called.
     let around = sky(if is_sky { ray } else { mirrored(ray, n) });
     let matt = albedo(object) * diffuse(n);
-    let lit = if material == GLOSSY { glossy(matt, n, ray) } else { matt };
+    let is_glossy = (material == GLOSSY) | (material == GGX);
+    let lit = if is_glossy { glossy(matt, material, n, ray) } else { matt };
     if is_sky | (material == MIRROR) { around } else { lit }
 }
