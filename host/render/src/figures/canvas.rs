@@ -32,7 +32,7 @@ pub struct Theme {
 impl Theme {
     /// Black on white.
     pub const LIGHT: Self = Self { ink: [24, 24, 27], pale: [82, 82, 91], paper: [255; 3] };
-    /// White on nearly the black of GitHub's dark pages: in steps of 5, as [`coarse`](super::paint::coarse) leaves them.
+    /// White on nearly the black of GitHub's dark pages: in steps of 5, as error maps are coarsened to.
     pub const DARK: Self = Self { ink: [240, 246, 252], pale: [145, 152, 161], paper: [15, 20, 25] };
 }
 
