@@ -75,8 +75,8 @@ fn the_worst_view_is_found() {
     assert!(told.trim_end().ends_with("seen from -1,2,0.5"), "{told}");
 }
 
-/// A square in glTF with these images, this first material, and a primitive with each of these ends of its attributes: triangles, then a strip. Accessors 3
-/// and 4 are tangents along +X, with signs 1 and -1; the last buffer view, 4, is the picture.
+/// A square in glTF with these images, this first material, and a primitive with each of these ends of its attributes: triangles,
+/// then a strip. Accessors 3 and 4 are tangents along +X, with signs 1 and -1; the last buffer view, 4, is the picture.
 fn textured(material: &str, images: &str, ends: &[&str], picture: &[u8]) -> Vec<u8> {
     let corners = [[-1.0f32, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     let positions = corners.iter().flat_map(|[x, y]| [*x, *y, 0.0]);

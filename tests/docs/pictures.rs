@@ -1,7 +1,7 @@
 //! The pictures in docs/figures/, and the docs' words about them.
 
-use super::markdown_table;
 use super::tables::degrees;
+use super::{markdown, markdown_table};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -224,8 +224,16 @@ fn the_page_is_of_the_list() {
 #[test]
 fn pages_have_dark_pictures() {
     let mut dark = BTreeSet::new();
-    for page in ["README.md", "docs/dither.md", "docs/filtering.md", "docs/open-problems.md"] {
-        let text = std::fs::read_to_string(repository().join(page)).unwrap();
+    // The program writes the pages of figures, which show their own folder's.
+    for page in markdown().iter().filter(|page| !page.ends_with("figures.md")) {
+        let (text, page) = (std::fs::read_to_string(page).unwrap(), page.display());
+        let is_light_alone = |link: &str| {
+            link.split(')').next().is_some_and(|to| to.contains("figures/") && to.ends_with(".png"))
+        };
+        assert!(
+            !text.split("](").skip(1).any(is_light_alone),
+            "{page} shows a picture for light pages alone"
+        );
         for part in text.split("<picture>").skip(1) {
             let within = |before: &str| part.split(before).nth(1).unwrap().split('"').next().unwrap();
             let (shown, file) = (within("srcset=\""), within("src=\"").split("figures/").nth(1).unwrap());

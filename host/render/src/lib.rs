@@ -55,6 +55,16 @@ pub enum Material {
 impl Material {
     /// The survey's three, and GGX.
     pub const ALL: [Self; 4] = [Self::Lambertian, Self::Glossy, Self::Mirror, Self::Ggx];
+
+    /// The name in options, files and pages.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Lambertian => "lambertian",
+            Self::Glossy => "glossy",
+            Self::Mirror => "mirror",
+            Self::Ggx => "ggx",
+        }
+    }
 }
 
 /// The normals in the G-buffer.

@@ -7,7 +7,7 @@ use std::io::Cursor;
 use std::path::Path;
 
 /// The most bytes of an image that a byte of its file stands for. Deflate, the closest of the compressions, has 1032
-/// (zlib, Technical Details).
+/// (zlib, Technical Details). Of a jpeg, 16 by 16 pixels take 12 bits at least: 512.
 const CLOSEST: u64 = 1032;
 
 /// A map as its file has it.

@@ -75,27 +75,17 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let live = Live::new(None, "{spinner} pictures, {elapsed}", true);
     let device = rendering.vulkan.device_for_graphics()?;
     let Rendering { samples, source, .. } = *rendering;
-    let (maps, mut told) = normal_maps(&shapes);
+    let (maps, told) = normal_maps(&shapes);
     let options = Options { codecs, view: arguments.view, side: arguments.side, samples, source, maps };
     let compared = compare(&device, &shapes, &options)?;
     live.finish();
-    if compared.fineness < 1.0 {
-        told.push(match compared.fineness {
-            0.0 => {
-                "There are too many triangles to divide: normal maps are shown at vertices alone.".to_owned()
-            }
-            part => {
-                format!("There are too many texels: normal maps are shown at {part} of those along an edge.")
-            }
-        });
-    }
     let contents = Contents {
         file: mesh.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned()),
         compared: &compared,
         is_worst: arguments.view.is_none(),
         device: device.info(),
         errors: rows(&errors),
-        notes: [notes(&errors), told].concat(),
+        notes: [notes(&errors), told, coarseness(compared.fineness)].concat(),
     };
     super::write_output(page, html(&contents)?.as_bytes())?;
     if let (Some(path), Some(first)) = (&arguments.ply, compared.codecs.first()) {
@@ -155,6 +145,18 @@ fn normal_maps(shapes: &[Shape]) -> (Vec<Option<Rc<NormalMap>>>, Vec<String>) {
     };
     let maps = shapes.iter().map(|shape| shape.normal_map.as_ref().and_then(&mut map)).collect();
     (maps, told.into_iter().collect())
+}
+
+/// What is to be told of normal maps that are shown less finely than they are.
+fn coarseness(fineness: f32) -> Vec<String> {
+    let words = if fineness >= 1.0 {
+        return Vec::new();
+    } else if fineness > 0.0 {
+        format!("There are too many texels: normal maps are shown at {fineness} of those along an edge.")
+    } else {
+        "There are too many triangles to divide: normal maps are shown at vertices alone.".to_owned()
+    };
+    vec![words]
 }
 
 fn rows(report: &Report) -> Vec<[String; 7]> {

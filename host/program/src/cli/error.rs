@@ -44,9 +44,8 @@ pub struct Arguments {
     wide: Wide,
     #[command(flatten)]
     vulkan: Vulkan,
-    /// What `unitvec encode` takes: meshes, normal maps (png, jpeg, tga, exr, ktx2, dds), NumPy arrays, raw floats, or folders,
-    /// whose meshes are taken; - for the standard
-    /// input.
+    /// What `unitvec encode` takes: meshes, normal maps (png, jpeg, tga, exr, ktx2, dds), NumPy arrays, raw floats, or
+    /// folders, whose meshes are taken; - for the standard input.
     #[arg(required = true)]
     file: Vec<PathBuf>,
 }

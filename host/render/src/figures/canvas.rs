@@ -207,6 +207,11 @@ impl Theme {
         canvas.0
     }
 
+    /// A [`sheet`](Self::sheet) with a caption.
+    pub fn captioned_sheet(self, cells: &[Cell], columns: u32, caption: &str) -> RgbImage {
+        self.captioned(&self.sheet(cells, columns), caption)
+    }
+
     /// A sheet with a caption below it, which says how to read it. Places stay what they are.
     pub fn captioned(self, sheet: &RgbImage, caption: &str) -> RgbImage {
         let letters = Type::of_width(sheet.width());

@@ -83,11 +83,15 @@ pub fn caps(options: &Options) -> Figure {
          the least possible maximum over the sphere, or more. Means and maxima are of the whole domain or cap."
     );
     let alt = "Discs coloured by the error of a codec at each direction, darker the smaller the cap";
-    let sheet = options.theme.sheet(&cells, ANGLES.len() as u32);
     let pictures = vec![Shown::picture(
         "caps.png",
         alt,
-        explained(options.theme, &sheet, ends(&[(BITS, scale_deg(BITS))].into()), &caption),
+        explained(
+            options.theme,
+            (&cells, ANGLES.len() as u32),
+            ends(&[(BITS, scale_deg(BITS))].into()),
+            &caption,
+        ),
     )];
     Figure::new("caps", "Caps", caption, pictures).with(numbers.collect())
 }

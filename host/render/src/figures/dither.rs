@@ -78,7 +78,7 @@ pub fn dither(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
         let shown = Shown::picture(
             format!("dither_{name}.png"),
             &alt,
-            options.theme.captioned(&options.theme.sheet(&cells, 4), &words),
+            options.theme.captioned_sheet(&cells, 4, &words),
         );
         pictures.push(Shown { differences, ..shown });
     }
@@ -244,7 +244,7 @@ fn turning(camera: &mut dyn Camera, options: &Options) -> Result<(Shown, Vec<Num
         Shown::picture(
             "dither_turning.png",
             alt,
-            options.theme.captioned(&options.theme.sheet(&cells, u32::from(strip)), words),
+            options.theme.captioned_sheet(&cells, u32::from(strip), words),
         ),
         numbers,
     ))

@@ -58,7 +58,7 @@ pub fn errors(options: &Options) -> Result<Figure> {
     let pictures = vec![Shown::picture(
         "errors.png",
         alt,
-        explained(options.theme, &options.theme.sheet(&cells, 7), ends(&scales), &caption),
+        explained(options.theme, (&cells, 7), ends(&scales), &caption),
     )];
     Ok(Figure::new("errors", "Error maps", caption, pictures).with(numbers.collect()))
 }
@@ -75,7 +75,13 @@ pub fn ends(scales: &BTreeMap<u32, f64>) -> [String; 2] {
 }
 
 /// A sheet of maps with their colours between the errors of the first and the last one, and a caption below it.
-pub fn explained(theme: Theme, sheet: &RgbImage, [first, last]: [String; 2], caption: &str) -> RgbImage {
+pub fn explained(
+    theme: Theme,
+    (cells, columns): (&[Cell], u32),
+    [first, last]: [String; 2],
+    caption: &str,
+) -> RgbImage {
+    let sheet = theme.sheet(cells, columns);
     let letters = Type::of_width(sheet.width());
     let (height, width) = (letters.line() as u32, sheet.width() / 3);
     let mut canvas = theme.blank(sheet.width(), height + GAP);
@@ -84,5 +90,5 @@ pub fn explained(theme: Theme, sheet: &RgbImage, [first, last]: [String; 2], cap
     for (text, left) in [(first, GAP), (last, left + width + GAP)] {
         canvas.write(&text, (left as f32, 0.0), letters, false, theme.ink);
     }
-    theme.captioned(&theme.stacked(&[sheet, &canvas.0]), caption)
+    theme.captioned(&theme.stacked(&[&sheet, &canvas.0]), caption)
 }

@@ -39,12 +39,8 @@ pub fn filtering(options: &Options) -> Figure {
         SCALE[0], SCALE[1]
     );
     let alt = "Spheres coloured by the error of blended components at each direction";
-    let picture = explained(
-        options.theme,
-        &options.theme.sheet(&cells, 6),
-        SCALE.map(|error| format!("{error}\u{b0}")),
-        &caption,
-    );
+    let picture =
+        explained(options.theme, (&cells, 6), SCALE.map(|error| format!("{error}\u{b0}")), &caption);
     let pictures = vec![Shown::picture("filtering.png", alt, picture)];
     Figure::new("filtering", "What filtering does to components", caption, pictures)
 }

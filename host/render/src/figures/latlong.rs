@@ -118,9 +118,7 @@ pub fn numbering(options: &Options) -> Figure {
     let shown = Shown::picture(
         "figure2.png",
         alt,
-        options
-            .theme
-            .captioned(&options.theme.sheet(&[Cell { picture: canvas.0, lines: Vec::new() }], 1), &caption),
+        options.theme.captioned_sheet(&[Cell { picture: canvas.0, lines: Vec::new() }], 1, &caption),
     );
     Figure::new("2", "latlong's patches", caption, vec![shown]).with(vec![
         Number::new("patches", patches.count() as f64),

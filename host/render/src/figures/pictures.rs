@@ -12,14 +12,9 @@ use unitvec_catalogue::AnyCodec;
 /// The factor of differences, as in the survey.
 pub const TIMES: u8 = 8;
 
-/// A material's name in files and captions.
-fn name(material: Material) -> &'static str {
-    match material {
-        Material::Lambertian => "lambertian",
-        Material::Glossy => "glossy",
-        Material::Mirror => "mirror",
-        Material::Ggx => "ggx",
-    }
+/// The adjective of a material's surfaces in texts.
+fn adjective(material: Material) -> &'static str {
+    if material == Material::Ggx { "GGX" } else { material.name() }
 }
 
 /// A picture with its difference to that of floats.
@@ -50,13 +45,13 @@ impl Compared {
     }
 
     fn subject(&self, material: Material) -> Subject {
-        Subject { codec: self.id().to_owned(), material: name(material).to_owned() }
+        Subject { codec: self.id().to_owned(), material: material.name().to_owned() }
     }
 
     /// Describes this picture as a file of its own.
     fn shown(&self, figure: &str, material: Material) -> Shown {
-        let alt = format!("{} surfaces, normals as {}", name(material), self.label);
-        let file = format!("{figure}_{}_{}.png", name(material), self.id());
+        let alt = format!("{} surfaces, normals as {}", adjective(material), self.label);
+        let file = format!("{figure}_{}_{}.png", material.name(), self.id());
         let shown = Shown::picture(file, alt, self.picture.clone());
         Shown { of: Some(self.subject(material)), differences: differences([self]), ..shown }
     }
@@ -190,7 +185,8 @@ pub fn one(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
     let shown = Shown::picture("figure1.png", alt, all);
     let (mut off, mut pictures) = (Vec::new(), Vec::new());
     for (compared, material) in [(&mirror, Material::Mirror), (&glossy, Material::Glossy)] {
-        let named = |one: Labelled| Labelled { label: format!("{}, {}", name(material), one.label), ..one };
+        let named =
+            |one: Labelled| Labelled { label: format!("{}, {}", adjective(material), one.label), ..one };
         off.extend(differences(compared).into_iter().map(named));
         pictures.extend(singles(options, compared, "figure1", material));
     }
@@ -238,17 +234,15 @@ pub fn difference(camera: &mut dyn Camera, options: &Options, material: Material
     let caption = format!(
         "{} surfaces with float32x3 and with eqarea+ellipse16, which the survey's figure shows, and their difference {TIMES} times \
          over. {words}",
-        capital(name(material))
+        capital(adjective(material))
     );
-    let alt = format!("{} surfaces with floats, with a 16-bit codec, and the difference", name(material));
-    let shown = Shown::picture(
-        format!("figure{id}.png"),
-        alt,
-        options.theme.captioned(&options.theme.sheet(&cells, 3), &caption),
-    );
+    let alt =
+        format!("{} surfaces with floats, with a 16-bit codec, and the difference", adjective(material));
+    let shown =
+        Shown::picture(format!("figure{id}.png"), alt, options.theme.captioned_sheet(&cells, 3, &caption));
     let mut pictures = vec![Shown { differences: differences(&compared), ..shown }];
     pictures.extend(singles(options, &compared, &format!("figure{id}"), material));
-    Ok(Figure::new(id, format!("{} surfaces", capital(name(material))), caption, pictures).with(numbers))
+    Ok(Figure::new(id, format!("{} surfaces", capital(adjective(material))), caption, pictures).with(numbers))
 }
 
 fn capital(word: &str) -> String {
@@ -273,8 +267,7 @@ pub fn eight(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
         let float = &compared[0].picture;
         let coarsest = compared[1..].iter().min_by_key(|shown| shown.codec.map(|codec| codec.bits));
         let part = coarsest.map_or([0; 4], |shown| window(options, MANY, float, &shown.picture));
-        let name = name(*material);
-        let surfaces = if *material == Material::Ggx { "GGX" } else { name };
+        let surfaces = adjective(*material);
         let alt = format!(
             "{surfaces} surfaces with the normals of all codecs of the figure, and their differences"
         );
@@ -290,8 +283,8 @@ pub fn eight(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
              the {surfaces} surfaces, right its difference to floats \u{d7} {TIMES}, or of floats the whole view. Numbers are of whole \
              views: the difference in steps of 1/255, the structural similarity, and FLIP."
         );
-        let all = options.theme.captioned(&options.theme.sheet(&cells, COLUMNS), &words);
-        let all = Shown::picture(format!("figure8_{name}.png"), alt, all);
+        let all = options.theme.captioned_sheet(&cells, COLUMNS, &words);
+        let all = Shown::picture(format!("figure8_{}.png", material.name()), alt, all);
         let places = compared.iter().map(|shown| shown.subject(*material)).zip(places(&cells, COLUMNS));
         let places =
             places.map(|(of, [left, top, _, height])| Place { of, place: [left, top, width, height] });
@@ -341,8 +334,7 @@ pub fn meyer(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
     let cells: Vec<Cell> = compared.iter().map(whole).collect();
     let caption = "Figure 3 of Meyer et al.: the Blinn-Phong highlight of a nearly flat panel, with normals in 16 bits. The \
                    points of fib16, on a spherical Fibonacci lattice, stand for their table.";
-    let all =
-        Shown::picture("meyer3.png", alt, options.theme.captioned(&options.theme.sheet(&cells, 4), caption));
+    let all = Shown::picture("meyer3.png", alt, options.theme.captioned_sheet(&cells, 4, caption));
     let mut pictures = vec![Shown { differences: differences(&compared), ..all }];
     pictures.extend(singles(options, &compared, "meyer3", Material::Glossy));
     Ok(Figure::new("meyer", "Meyer's figure 3: a highlight", caption, pictures))

@@ -84,8 +84,7 @@ pub fn points(options: &Options) -> Result<Figure> {
                    the picture dark, errors are small at the cost of others. All codes have 16 bits but those of snorm8x3, \
                    whose dots are fainter: together they have the ink of 2^16. ico16, fib16 and eaoct16 are not in the survey.";
     let alt = "Spheres covered with dots, one for each codec";
-    let shown =
-        Shown::picture("figure5.png", alt, options.theme.captioned(&options.theme.sheet(&cells, 6), caption));
+    let shown = Shown::picture("figure5.png", alt, options.theme.captioned_sheet(&cells, 6, caption));
     Ok(Figure::new("5", "Representable unit vectors", caption, vec![shown]).with(numbers))
 }
 

@@ -152,12 +152,7 @@ pub fn rotations(options: &Options) -> Result<Figure> {
     let pictures = vec![Shown::picture(
         "rotations.png",
         alt,
-        explained(
-            options.theme,
-            &options.theme.sheet(&cells, 3),
-            ends(&[(BITS, scale_deg())].into()),
-            &caption,
-        ),
+        explained(options.theme, (&cells, 3), ends(&[(BITS, scale_deg())].into()), &caption),
     )];
     Ok(Figure::new("rotations", "Rotations", caption, pictures).with(numbers.collect()))
 }

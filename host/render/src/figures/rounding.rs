@@ -59,13 +59,13 @@ pub fn rounding(options: &Options) -> Result<Figure> {
     }
     let words = "Where the precise encoder of oct rounds y, over the square: black is down, white is up.";
     let moved = "Moved are vectors that get another code than that of the nearest point on the square.";
-    let bits = options.theme.captioned(&options.theme.sheet(&cells, 4), &format!("{words} {moved}"));
+    let bits = options.theme.captioned_sheet(&cells, 4, &format!("{words} {moved}"));
     let main = find(MAIN)?;
     let lines = vec![format!("{}: {} bits each", main.survey_name, main.bits / 2)];
-    let main = options.theme.sheet(&[Cell { picture: map(main, side), lines }], 1);
+    let main = [Cell { picture: map(main, side), lines }];
     let alt = "Black and white moire pattern of rounding directions over a square";
     let pictures = vec![
-        Shown::picture("figure4.png", alt, options.theme.captioned(&main, words)),
+        Shown::picture("figure4.png", alt, options.theme.captioned_sheet(&main, 1, words)),
         Shown::picture("figure4_bits.png", "The same pattern for several numbers of bits", bits),
     ];
     let caption = "Where the precise encoder of oct rounds y: black is down, white is up, over the square, sampled at the \

@@ -55,11 +55,8 @@ pub fn unfolding(options: &Options) -> Figure {
     let caption = "How oct maps the octants of the sphere to the faces of an octahedron, projects these to the plane, and \
                    unfolds the lower four outwards, which fills the square. The lines are those of a grid on the square.";
     let alt = "The same eight coloured octants on a sphere, on an octahedron and on a square";
-    let pictures = vec![Shown::picture(
-        "figure3.png",
-        alt,
-        options.theme.captioned(&options.theme.sheet(&cells, 3), caption),
-    )];
+    let pictures =
+        vec![Shown::picture("figure3.png", alt, options.theme.captioned_sheet(&cells, 3, caption))];
     Figure::new("3", "oct unfolds the sphere", caption, pictures)
 }
 

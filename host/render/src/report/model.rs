@@ -6,7 +6,6 @@ use super::{data, render};
 use crate::figures::model::{Compared, OfCodec, TIMES};
 use crate::figures::{Shown, Subject};
 use crate::{Error, Material, Result};
-use clap::ValueEnum;
 use image::RgbImage;
 use minijinja::{Value, context};
 use unitvec_vulkan::DeviceInfo;
@@ -65,7 +64,7 @@ fn add(
     picture: &RgbImage,
     words: String,
 ) -> Result<()> {
-    let of = Subject { codec: codec.to_owned(), material: name(material) };
+    let of = Subject { codec: codec.to_owned(), material: material.name().to_owned() };
     let size = [picture.width(), picture.height()];
     viewer.add(&of, size, Picture { uri: uri(picture)?, words });
     Ok(())
@@ -74,7 +73,7 @@ fn add(
 fn of_codec(of: &OfCodec) -> Result<Value> {
     let difference =
         |(material, _, picture, difference): &(Material, _, RgbImage, crate::figures::Difference)| {
-            Ok(context! { material => name(*material), uri => uri(picture)?, words => difference.in_words() })
+            Ok(context! { material => material.name(), uri => uri(picture)?, words => difference.in_words() })
         };
     Ok(context! {
         id => of.codec.id,
@@ -84,10 +83,6 @@ fn of_codec(of: &OfCodec) -> Result<Value> {
         size => [of.heat.width(), of.heat.height()],
         differences => of.pictures.iter().map(difference).collect::<Result<Vec<Value>>>()?,
     })
-}
-
-fn name(material: Material) -> String {
-    material.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
 fn uri(picture: &RgbImage) -> Result<String> {
