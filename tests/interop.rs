@@ -1,6 +1,6 @@
 //! The formats of other software: nearest codes, the originals' published values, names, slices.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use unitvec::interop::{
     FRAMES, Format, FrameFormat, RotationFormat, UnknownFormat, decode_angle, encode_angle,
 };
@@ -201,7 +201,7 @@ fn snapped_vectors_are_written_as_the_nearest_code() {
     // original.
     let inexact = ["hdrp-oct24", "openvdb", "hdrp-tetra", "gltf-snorm8", "gltf-snorm16"];
     for format in Format::all() {
-        for v in directions(46, if format.row().name == "gltf-snorm16" { 50 } else { 1000 }) {
+        for v in directions(46, 1000) {
             let plain = |v: Vec3| format.decode::<Vec3>(format.plain().encode(v));
             let [before, after] = [plain(v), plain(format.snap(v))].map(|written| angle_deg(v, written));
             assert!(after <= before, "{format}: {v:?}: {after} and {before}");
@@ -266,6 +266,36 @@ fn gltf_vectors_are_valid() {
         for v in directions(47, 100).chain([Vec3::new(77.5006, 75.5006, 66.5005)]) {
             let length = named(name).decode::<Vec3>(named(name).encode(v)).as_dvec3().length();
             assert!((length - 1.0).abs() <= 0.00674, "{name}: {v:?}: {length}");
+        }
+    }
+}
+
+/// Of all points of glTF's lattices that the validator takes, none in the 5 by 5 around the ray of each plane is nearer than the
+/// code's, by the cross product in float64.
+#[test]
+fn no_valid_gltf_vector_is_nearer() {
+    for (name, most) in [("gltf-snorm8", 127i32), ("gltf-snorm16", 32767)] {
+        for v in directions(49, 20).chain([Vec3::new(1.0, 0.99999, -0.99999)]) {
+            let code = named(name).encode(v);
+            let of_lane = |n: i32| match most {
+                127 => f64::from((code >> (8 * n)) as i8),
+                _ => f64::from((code >> (16 * n)) as i16),
+            };
+            let v = v.as_dvec3().normalize();
+            let off = |w: DVec3| w.normalize().cross(v).length();
+            let found = off(DVec3::new(of_lane(0), of_lane(1), of_lane(2)));
+            let axis = v.abs().max_position();
+            for k in most / 2..=most {
+                let at = (v * (f64::from(k) / v[axis].abs())).round();
+                for n in 0..125 {
+                    let step = [n % 5 - 2, n / 5 % 5 - 2, n / 25 - 2].map(f64::from);
+                    let point = at + DVec3::from_array(step);
+                    let deviation = point.length() / f64::from(most) - 1.0;
+                    let is_valid = step[axis] == 0.0 && deviation.abs() < 0.00674;
+                    let is_point = is_valid && point.abs().max_element() <= f64::from(most);
+                    assert!(!is_point || off(point) > found - 1e-14, "{name}: {v}: {point}");
+                }
+            }
         }
     }
 }

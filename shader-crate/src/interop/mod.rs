@@ -222,7 +222,7 @@ impl Format {
                 nearest_of(v, beside.chain([v]), written)
             }
             Mapping::Tetrahedron => nearest_of(v, [tetrahedron::decode(code()[0]), v].into_iter(), written),
-            Mapping::Snorm => nearest_of(v, components::beside(v, self.bits).chain([v]), written),
+            Mapping::Snorm => nearest_of(v, components::neighbours(v, self.bits).chain([v]), written),
         };
         snapped.unwrap_or(v).to_array().into()
     }
