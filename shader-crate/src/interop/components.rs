@@ -1,7 +1,7 @@
 //! glTF's quantised normals: x, y and z in signed bytes or words, beside an unused lane.
 
+use super::distance;
 use super::plain::{most, snorm};
-use super::{around, distance};
 use glam::Vec3;
 
 /// The deviation from unit length that glTF's validator lets pass: ACCESSOR_VECTOR3_NON_UNIT of glTF-Validator 434283be.
@@ -31,14 +31,16 @@ pub(super) fn decode([low, high]: [u32; 2], bits: u32) -> Vec3 {
 }
 
 /// The 3 by 3 by 3 points around one, which comes first.
-fn cube([x, y, z]: [i32; 3]) -> impl Iterator<Item = [i32; 3]> {
-    around([x, y], [0, 1, -1]).flat_map(move |[x, y]| [0, 1, -1].map(|k| [x, y, z + k]))
+fn cube([x, y, z]: [i32; 3]) -> [[i32; 3]; 27] {
+    const STEPS: [i32; 3] = [0, 1, -1];
+    core::array::from_fn(|n| [x + STEPS[n / 9], y + STEPS[n / 3 % 3], z + STEPS[n % 3]])
 }
 
 /// The vectors of the 3 by 3 by 3 points around the rounded one that encoders write alike whether they normalise first or not.
 pub(super) fn neighbours(v: Vec3, bits: u32) -> impl Iterator<Item = Vec3> {
     let rounded = move |v: Vec3| v.normalize().to_array().map(|t| snorm(t, bits));
     let vectors = cube(rounded(v))
+        .into_iter()
         .map(move |point| (point, Vec3::from_array(point.map(|c| c as f32 / most(bits - 1)))));
     vectors.filter(move |(point, vector)| rounded(*vector) == *point).map(|(_, vector)| vector)
 }
@@ -52,7 +54,8 @@ pub(super) fn encode(v: Vec3, bits: u32, is_plain: bool) -> [u32; 2] {
     // Not normalised, which in f32 would turn the ray by a part of what codes of 16 bits are off.
     let mut nearest =
         Nearest { v, most: f64::from(most(bits - 1)), tangent_squared: f64::INFINITY, found: plain };
-    cube(plain).for_each(|point| nearest.offer(point));
+    // The points of about unit length come first: they are taken of those that are equally near.
+    nearest.offer(cube(plain));
     // Of 8 bits that is all: valid lengths span less than two steps.
     if bits > 8 {
         nearest.offer_planes::<1>();
@@ -86,10 +89,16 @@ impl Nearest {
         fits && shortest * shortest < square && square < longest * longest
     }
 
-    fn offer(&mut self, point: [i32; 3]) {
-        let distance = distance(self.v, Vec3::from_array(point.map(|c| c as f32)));
-        if distance < self.tangent_squared && self.is_valid(point.map(f64::from)) {
-            (self.tangent_squared, self.found) = (distance, point);
+    fn offer<const N: usize>(&mut self, points: [[i32; 3]; N]) {
+        // An array, for which the compiler makes vector instructions.
+        let distances = points.map(|point| {
+            let distance = distance(self.v, Vec3::from_array(point.map(|c| c as f32)));
+            if self.is_valid(point.map(f64::from)) { distance } else { f64::INFINITY }
+        });
+        for (distance, point) in distances.into_iter().zip(points) {
+            if distance < self.tangent_squared {
+                (self.tangent_squared, self.found) = (distance, point);
+            }
         }
     }
 
@@ -115,7 +124,7 @@ impl Nearest {
                 if off < 1.001 * self.tangent_squared * (along * along) {
                     let mut point = [along as i32; 3];
                     (point[i], point[j]) = (to_x as i32, to_y as i32);
-                    self.offer(point);
+                    self.offer([point]);
                 }
             }
         }
