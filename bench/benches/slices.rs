@@ -12,7 +12,10 @@ use std::time::Duration;
 use unitvec::Listed;
 use unitvec::interop::{Format, ROWS};
 use unitvec::slice::machine::{Level, Stream};
-use unitvec::slice::{decode_slice, decode_slice_i16x4, encode_slice, par_decode_slice, par_encode_slice};
+use unitvec::slice::{
+    Strided, decode_slice, decode_slice_i16x4, decode_strided, encode_slice, encode_strided,
+    par_decode_slice, par_encode_slice,
+};
 use unitvec::table::DecodeTable;
 use unitvec::{
     Codec, Float16x3, HemiOct32, LatLongD16, LatLongD32, Oct16, Oct24, Oct32, OctPrecise16, OctPrecise32,
@@ -106,6 +109,56 @@ fn decode_by_table<C: Listed>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[
     });
 }
 
+/// A vertex: position, normal, texture coordinates.
+type Vertex = [f32; 8];
+
+/// Where a vertex has its normal, in floats.
+const NORMAL: usize = 3;
+
+fn normals<B>(bytes: B) -> Strided<B> {
+    Strided { bytes, offset: NORMAL * size_of::<f32>(), stride: size_of::<Vertex>() }
+}
+
+fn packed<B>(bytes: B) -> Strided<B> {
+    Strided { bytes, offset: 0, stride: Oct32::BYTES }
+}
+
+fn vertices(vectors: &[[f32; 3]]) -> Vec<Vertex> {
+    vectors.iter().map(|&[x, y, z]| [0.0, 0.0, 0.0, x, y, z, 0.0, 0.0]).collect()
+}
+
+/// The normals of vertices to codes, by the function and by a loop over the vertices.
+fn encode_vertices(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
+    let (vertices, mut codes) = (vertices(vectors), vec![0; vectors.len() * Oct32::BYTES]);
+    group.bench_function("oct32-vertices", |b| {
+        b.iter(|| {
+            let from = normals(bytemuck::cast_slice(black_box(&vertices)));
+            encode_strided::<Oct32>(from, packed(black_box(&mut codes)))
+        });
+    });
+    let encode = |vertex: Vertex| Oct32::encode([vertex[NORMAL], vertex[NORMAL + 1], vertex[NORMAL + 2]]);
+    one_by_one(group, "oct32-vertices-plain", &vertices, vec![0; vectors.len()], encode);
+}
+
+/// Codes to the normals of vertices, by the function and by a loop over the vertices.
+fn decode_vertices(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
+    let (mut vertices, codes) = (vertices(vectors), encoded::<Oct32>(vectors));
+    group.bench_function("oct32-vertices", |b| {
+        b.iter(|| {
+            let to = normals(bytemuck::cast_slice_mut(black_box(&mut vertices)));
+            decode_strided::<Oct32>(packed(black_box(&codes)), to)
+        });
+    });
+    let codes: Vec<u32> = vectors.iter().map(|v| Oct32::encode(*v)).collect();
+    group.bench_function("oct32-vertices-plain", |b| {
+        b.iter(|| {
+            for (vertex, code) in black_box(&mut vertices).iter_mut().zip(black_box(&codes)) {
+                vertex[NORMAL..NORMAL + 3].copy_from_slice(&Oct32::decode::<[f32; 3]>(*code));
+            }
+        });
+    });
+}
+
 /// A memcpy of as many bytes as `items` have.
 fn copy<T: Copy>(group: &mut BenchmarkGroup<WallTime>, name: &str, items: &[T]) {
     let mut copied = items.to_vec();
@@ -184,6 +237,7 @@ fn encode(criterion: &mut Criterion) {
         encode_plain::<Oct16>(&mut group, vectors);
         encode_plain::<Oct32>(&mut group, vectors);
         encode_plain::<OctPrecise32>(&mut group, vectors);
+        encode_vertices(&mut group, vectors);
         let codes: Vec<_> = vectors.iter().map(|v| EncodedUnitVector3U8::encode(*v)).collect();
         one_by_one(&mut group, "normal_pack", vectors, codes, EncodedUnitVector3U8::encode);
         let mut codes = vec![0; vectors.len() * Oct32::BYTES];
@@ -220,6 +274,7 @@ fn decode(criterion: &mut Criterion) {
         decode_with::<Float16x3>(&mut group, vectors);
         decode_plain::<Oct16>(&mut group, vectors);
         decode_plain::<Oct32>(&mut group, vectors);
+        decode_vertices(&mut group, vectors);
         let packed: Vec<_> = vectors.iter().map(|v| EncodedUnitVector3U8::encode(*v)).collect();
         one_by_one(&mut group, "normal_pack", &packed, vectors.to_vec(), |code| code.decode());
         let mut decoded = vectors.to_vec();

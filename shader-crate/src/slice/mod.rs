@@ -10,9 +10,9 @@
 //! * Vectors are those of any library: see [`Vector`].
 //! * Codes may be integers: see [`encode_codes`]. To give other functions a slice of integers, see it as bytes, with
 //!   `bytemuck::cast_slice_mut(&mut codes)`.
-//! * Vectors and codes may lie among the other fields of vertices: see [`encode_strided`]. Cheap codecs, such as `oct32`, are
-//!   decoded sooner by a loop of your own over the structs: gathering codes and scattering vectors then costs more than the
-//!   CPU's vector instructions save.
+//! * Vectors and codes may lie among the other fields of vertices: see [`encode_strided`]. Of cheap codecs, such as `oct32`,
+//!   that takes about the time of a loop of your own over the structs: gathering and scattering cost as much as the CPU's
+//!   vector instructions save. Packed codes are read and written in place.
 //! * Frames and rotations have functions of their own: [`encode_frames`], [`encode_rotations`].
 //! * Slice functions are generic: they are compiled at the `opt-level` of the crate that calls them with a named codec.
 //!   The `opt-level` of `unitvec` chooses the loop: at 0, the development profile's, one vector at a time, else blocks.

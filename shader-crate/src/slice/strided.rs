@@ -2,8 +2,7 @@
 
 use super::LengthMismatch;
 use super::block::BLOCK;
-use super::loops::Order;
-use super::machine::{Level, as_chunks, as_chunks_mut, prefetch};
+use super::machine::{Level, as_chunks, as_chunks_mut};
 use super::stored::with_size;
 use core::fmt;
 
@@ -110,20 +109,18 @@ pub fn encode_strided_with<const N: usize>(
     encode: impl Fn(Level, &[[f32; N]], &mut [u8]) -> Result<(), LengthMismatch>,
 ) -> Result<(), StrideError> {
     let count = expect_fit::<N>(from, to.shared(), size)?;
-    let order = order(from, count);
     let (mut some_elements, mut some_codes) = ([[0.0; N]; PORTION], [0; PORTION * LARGEST_CODE]);
-    for step in 0..count.div_ceil(PORTION) {
-        let start = order.block(step) * PORTION;
-        if let Some(next) = order.next(step) {
-            from.prefetch(next);
-            to.shared().prefetch(next);
-        }
-        let elements = &mut some_elements[..PORTION.min(count - start)];
-        let codes = &mut some_codes[..elements.len() * size];
-        load_elements(from, start, elements);
+    for first in (0..count).step_by(PORTION) {
+        let elements = &mut some_elements[..PORTION.min(count - first)];
+        load_elements(from, first, elements);
+        let length = elements.len() * size;
+        let is_packed = to.stride == size;
+        let codes = if is_packed { &mut to.starting_mut(first)[..length] } else { &mut some_codes[..length] };
         // There are as many codes as elements, so that this cannot fail.
         let _ = encode(level, elements, codes);
-        with_size!(size, SIZE => store_codes::<SIZE>(codes, &mut to, start));
+        if !is_packed {
+            with_size!(size, SIZE => store_codes::<SIZE>(&some_codes[..length], &mut to, first));
+        }
     }
     Ok(())
 }
@@ -141,31 +138,21 @@ pub fn decode_strided_with<const N: usize>(
     decode: impl Fn(Level, &[u8], &mut [[f32; N]]) -> Result<(), LengthMismatch>,
 ) -> Result<(), StrideError> {
     let count = expect_fit::<N>(to.shared(), from, size)?;
-    let order = order(to.shared(), count);
     let (mut some_elements, mut some_codes) = ([[0.0; N]; PORTION], [0; PORTION * LARGEST_CODE]);
-    for step in 0..count.div_ceil(PORTION) {
-        let start = order.block(step) * PORTION;
-        if let Some(next) = order.next(step) {
-            from.prefetch(next);
-            to.shared().prefetch(next);
-        }
-        let elements = &mut some_elements[..PORTION.min(count - start)];
-        let codes = &mut some_codes[..elements.len() * size];
-        with_size!(size, SIZE => load_codes::<SIZE>(from, start, codes));
+    for first in (0..count).step_by(PORTION) {
+        let elements = &mut some_elements[..PORTION.min(count - first)];
+        let length = elements.len() * size;
+        let codes = if from.stride == size {
+            &from.starting(first)[..length]
+        } else {
+            with_size!(size, SIZE => load_codes::<SIZE>(from, first, &mut some_codes[..length]));
+            &some_codes[..length]
+        };
         // There are as many codes as elements, so that this cannot fail.
         let _ = decode(level, codes, elements);
-        store_elements(elements, &mut to, start);
+        store_elements(elements, &mut to, first);
     }
     Ok(())
-}
-
-/// Bytes of strided elements from which on memory is prefetched: below it the fields between them, which are fetched too,
-/// cost more than is gained.
-const FAR: usize = 1 << 25;
-
-/// The order of the portions of so many elements.
-fn order(elements: Strided<&[u8]>, count: usize) -> Order {
-    Order::new(count / PORTION, elements.bytes.len() >= FAR)
 }
 
 /// The number of elements that are gathered at a time: whole blocks, which stay in the nearest cache.
@@ -204,17 +191,10 @@ impl<'a> Strided<&'a [u8]> {
         }
     }
 
-    /// Asks for the memory of a whole portion.
-    fn prefetch(self, portion: usize) {
-        let bytes = &self.bytes[self.offset + portion * PORTION * self.stride..];
-        prefetch(&bytes[..bytes.len().min(PORTION * self.stride)]);
-    }
-
-    /// The first `size` bytes of an element, which [`count`](Self::count) has found to be there.
+    /// The bytes from the beginning of an element on, which [`count`](Self::count) has found to be there.
     #[inline(always)]
-    fn element(self, index: usize, size: usize) -> &'a [u8] {
-        let start = self.offset + index * self.stride;
-        &self.bytes[start..start + size]
+    fn starting(self, first: usize) -> &'a [u8] {
+        &self.bytes[self.offset + first * self.stride..]
     }
 }
 
@@ -223,26 +203,24 @@ impl Strided<&mut [u8]> {
         Strided { bytes: self.bytes, offset: self.offset, stride: self.stride }
     }
 
-    /// [`element`](Strided::element) to be written to.
+    /// [`starting`](Strided::starting) to be written to.
     #[inline(always)]
-    fn element_mut(&mut self, index: usize, size: usize) -> &mut [u8] {
-        let start = self.offset + index * self.stride;
-        &mut self.bytes[start..start + size]
+    fn starting_mut(&mut self, first: usize) -> &mut [u8] {
+        &mut self.bytes[self.offset + first * self.stride..]
     }
 }
 
-// Element by element, by index: with iterators over chunks the loops take half as long again.
-
 fn load_elements<const N: usize>(from: Strided<&[u8]>, first: usize, elements: &mut [[f32; N]]) {
-    for (i, element) in elements.iter_mut().enumerate() {
-        let bytes = as_chunks(from.element(first + i, 4 * N)).0;
+    for (element, bytes) in elements.iter_mut().zip(from.starting(first).chunks(from.stride)) {
+        let bytes = as_chunks(&bytes[..4 * N]).0;
         *element = core::array::from_fn(|component| f32::from_ne_bytes(bytes[component]));
     }
 }
 
 fn store_elements<const N: usize>(elements: &[[f32; N]], to: &mut Strided<&mut [u8]>, first: usize) {
-    for (i, element) in elements.iter().enumerate() {
-        let bytes = as_chunks_mut(to.element_mut(first + i, 4 * N)).0;
+    let stride = to.stride;
+    for (element, bytes) in elements.iter().zip(to.starting_mut(first).chunks_mut(stride)) {
+        let bytes = as_chunks_mut(&mut bytes[..4 * N]).0;
         for component in 0..N {
             bytes[component] = element[component].to_ne_bytes();
         }
@@ -250,13 +228,14 @@ fn store_elements<const N: usize>(elements: &[[f32; N]], to: &mut Strided<&mut [
 }
 
 fn load_codes<const SIZE: usize>(from: Strided<&[u8]>, first: usize, codes: &mut [u8]) {
-    for (i, code) in codes.chunks_exact_mut(SIZE).enumerate() {
-        code.copy_from_slice(from.element(first + i, SIZE));
+    for (code, bytes) in codes.chunks_exact_mut(SIZE).zip(from.starting(first).chunks(from.stride)) {
+        code.copy_from_slice(&bytes[..SIZE]);
     }
 }
 
 fn store_codes<const SIZE: usize>(codes: &[u8], to: &mut Strided<&mut [u8]>, first: usize) {
-    for (i, code) in codes.chunks_exact(SIZE).enumerate() {
-        to.element_mut(first + i, SIZE).copy_from_slice(code);
+    let stride = to.stride;
+    for (code, bytes) in codes.chunks_exact(SIZE).zip(to.starting_mut(first).chunks_mut(stride)) {
+        bytes[..SIZE].copy_from_slice(code);
     }
 }
