@@ -153,12 +153,7 @@ fn normal_maps_are_shown() {
         (NORMAL, r#"{"uri":"a.gltf"}"#, "is no png, jpeg, tga, exr, ktx2 or dds"),
         (NORMAL, r#"{"bufferView":7}"#, "has not the bytes of a picture"),
         (NORMAL, "", "it has no image"),
-        (r#""normalTexture":{"index":0,"texCoord":1}"#, WAVES, "does not use the first texture coordinates"),
-        (
-            r#""normalTexture":{"index":0,"extensions":{"KHR_texture_transform":{"scale":[2,2]}}}"#,
-            WAVES,
-            "KHR_texture_transform",
-        ),
+        (r#""normalTexture":{"index":0,"texCoord":1}"#, WAVES, "lacks its texture coordinates"),
         (r#""normalTexture":{"index":-1}"#, WAVES, "invalid value"),
     ] {
         let page = page(material, images);
@@ -189,6 +184,26 @@ fn pictures_and_tangents_of_the_file() {
     assert!(shown("", in_buffer, jpeg.get_ref()) != own);
     assert!(shown(r#","TANGENT":3"#, WAVES, &[]) == own);
     assert!(shown(r#","TANGENT":4"#, WAVES, &[]) != own);
+}
+
+/// `KHR_texture_transform` moves a map: by its whole width, which shows nothing, or else to another place. Coordinates of the second
+/// set are taken where it or the material says so.
+#[test]
+fn texture_coordinates_of_the_material() {
+    let folder = Mapped::new();
+    let page = |map: &str| {
+        let map = format!(r#""normalTexture":{{"index":0{map}}}"#);
+        let page = folder.page(&textured(&map, WAVES, &[r#","TEXCOORD_1":1"#], &[]));
+        assert!(page.contains("The mesh is shown with its normal texture 0"));
+        page
+    };
+    let moved = |how: &str| page(&format!(r#","extensions":{{"KHR_texture_transform":{{{how}}}}}"#));
+    let own = page("");
+    assert!(page(r#","texCoord":1"#) == own);
+    assert!(moved(r#""offset":[1,-2],"texCoord":1"#) == own);
+    for how in [r#""offset":[0.25,0]"#, r#""scale":[2,2]"#, r#""rotation":1.5"#] {
+        assert!(moved(how) != own, "{how}");
+    }
 }
 
 #[test]

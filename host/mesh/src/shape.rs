@@ -14,7 +14,8 @@ pub struct Shape {
     pub positions: Vec<[f32; 3]>,
     /// Their normals: as the file has them, or computed as those of [`Mesh`](crate::Mesh).
     pub normals: Vec<[f32; 3]>,
-    /// Their texture coordinates, the first set in glTF; empty where the file has none for some vertex.
+    /// Their texture coordinates: in glTF those of the normal map, moved as the material says, or else the first set. Empty
+    /// where the file has none for some vertex.
     pub texture: Vec<[f32; 2]>,
     /// Three vertices each, all of them there.
     pub triangles: Vec<[u32; 3]>,

@@ -36,6 +36,7 @@ struct Attributes {
     normal: Option<u32>,
     tangent: Option<u32>,
     texcoord_0: Option<u32>,
+    texcoord_1: Option<u32>,
 }
 
 impl Primitive {
@@ -46,6 +47,7 @@ impl Primitive {
             Semantic::Normals => self.attributes.normal,
             Semantic::Tangents => self.attributes.tangent,
             Semantic::TexCoords(0) => self.attributes.texcoord_0,
+            Semantic::TexCoords(1) => self.attributes.texcoord_1,
             _ => None,
         }
     }

@@ -4,18 +4,17 @@ use super::document::Primitive;
 use super::{File, buffers};
 use crate::shape::{NormalTexture, Shape};
 use crate::{Generated, MeshError, Reach};
-use ::gltf::Semantic::Tangents;
+use ::gltf::Semantic::{Tangents, TexCoords};
 use ::gltf::accessor::Dimensions;
 use serde::Deserialize;
-use serde::de::IgnoredAny;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 use std::sync::Arc;
 use unitvec_files::one_line;
 
 /// Bytes of a picture that are read: 16384 by 16384 texels of four bytes.
 const MOST: u64 = 1 << 30;
 
-const OTHER_COORDINATES: &str = "it does not use the first texture coordinates";
+const NO_COORDINATES: &str = "the mesh lacks its texture coordinates, of which the first two sets are read";
 
 /// The part of a document that normal maps depend on.
 #[derive(Default, Deserialize)]
@@ -46,7 +45,40 @@ struct Reference {
     tex_coord: u32,
     scale: Option<f32>,
     #[serde(default)]
-    extensions: BTreeMap<Box<str>, IgnoredAny>,
+    extensions: Extensions,
+}
+
+#[derive(Default, Deserialize)]
+struct Extensions {
+    #[serde(default, rename = "KHR_texture_transform")]
+    transform: Transform,
+}
+
+/// How texture coordinates are moved.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+struct Transform {
+    offset: [f32; 2],
+    /// Radians, counter-clockwise where v grows downwards.
+    rotation: f32,
+    scale: [f32; 2],
+    /// The set, in place of the reference's.
+    tex_coord: Option<u32>,
+}
+
+impl Default for Transform {
+    fn default() -> Self {
+        Self { offset: [0.0; 2], rotation: 0.0, scale: [1.0; 2], tex_coord: None }
+    }
+}
+
+impl Transform {
+    /// Scales, turns, moves.
+    fn apply(&self, [u, v]: [f32; 2]) -> [f32; 2] {
+        let (sine, cosine) = self.rotation.sin_cos();
+        let (u, v) = (self.scale[0] * u, self.scale[1] * v);
+        [self.offset[0] + cosine * u + sine * v, self.offset[1] + cosine * v - sine * u]
+    }
 }
 
 #[derive(Deserialize)]
@@ -90,9 +122,15 @@ impl Appearance {
         let name = format!("normal texture {}", reference.index);
         let scale = reference.scale.filter(|scale| scale.is_finite()).unwrap_or(1.0);
         let texture = |picture| Arc::new(NormalTexture { name, scale, picture });
+        let transform = &reference.extensions.transform;
+        if let set @ 1.. = transform.tex_coord.unwrap_or(reference.tex_coord) {
+            // Those of a buffer that nothing else is in are not read.
+            shape.texture = file.all(primitive, TexCoords(set), Dimensions::Vec2).unwrap_or_default();
+        }
+        shape.texture.iter_mut().for_each(|at| *at = transform.apply(*at));
         let texture = match self.read.get(&at) {
             _ if is_shared => texture(Err("other materials have the same vertices".to_owned())),
-            _ if shape.texture.is_empty() => texture(Err(OTHER_COORDINATES.to_owned())),
+            _ if shape.texture.is_empty() => texture(Err(NO_COORDINATES.to_owned())),
             Some(texture) => texture.clone(),
             None => {
                 let texture = texture(self.picture(file, reference, reach));
@@ -101,7 +139,6 @@ impl Appearance {
             }
         };
         if texture.picture.is_ok() {
-            // Those of a buffer that nothing else is in are not read.
             shape.tangents = file.all(primitive, Tangents, Dimensions::Vec4).unwrap_or_default();
         }
         if texture.picture.is_ok() && shape.tangents.is_empty() {
@@ -113,12 +150,6 @@ impl Appearance {
     }
 
     fn picture(&self, file: &File<'_>, reference: &Reference, reach: Reach) -> Result<Vec<u8>, String> {
-        if reference.tex_coord != 0 {
-            return Err(OTHER_COORDINATES.to_owned());
-        }
-        if reference.extensions.contains_key("KHR_texture_transform") {
-            return Err("it is moved by KHR_texture_transform, which is not applied".to_owned());
-        }
         let source = self.textures.get(reference.index).and_then(|texture| texture.source);
         let image = source.and_then(|source| self.images.get(source)).ok_or("it has no image")?;
         let read = |uri: &str| match uri.strip_prefix("data:") {
@@ -137,5 +168,24 @@ impl Appearance {
             }
             (None, None) => Err("its image has neither a URI nor a buffer view".to_owned()),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Transform;
+
+    /// A quarter turn counter-clockwise, v growing downwards, brings what is to the right of the origin above it, and what is below
+    /// it to its right.
+    #[test]
+    fn coordinates_are_scaled_turned_and_moved() {
+        let quarter = std::f32::consts::FRAC_PI_2;
+        let transform =
+            Transform { offset: [0.25, 0.5], rotation: quarter, scale: [1.5, 3.0], tex_coord: None };
+        // Scaled: (1.5, 0), then up a quarter of a circle: (0, -1.5).
+        let [u, v] = transform.apply([1.0, 0.0]);
+        assert!((u - 0.25).abs() < 1e-6 && (v + 1.0).abs() < 1e-6, "{u} {v}");
+        let [u, v] = transform.apply([0.0, 1.0]);
+        assert!((u - 3.25).abs() < 1e-6 && (v - 0.5).abs() < 1e-6, "{u} {v}");
     }
 }
