@@ -221,7 +221,7 @@ fn scattered(elements: &[u8], size: usize, offset: usize, stride: usize) -> Vec<
 }
 
 /// The bits of the slices, at every level, for counts around a block of 64 and a portion of 256, with fields at odd
-/// offsets: slices that end with the last element as well as those that go on to the end of the stride.
+/// offsets, and packed codes: slices that end with the last element as well as those that go on to the end of the stride.
 fn check_strided<C: Codec>(arrays: &[[f32; 3]]) {
     let mut codes = vec![0; arrays.len() * C::BYTES];
     encode_slice::<C>(arrays, &mut codes).unwrap();
@@ -230,16 +230,19 @@ fn check_strided<C: Codec>(arrays: &[[f32; 3]]) {
     let vectors: &[u8] = bytemuck::cast_slice(arrays);
     let decoded: &[u8] = bytemuck::cast_slice(&decoded);
     for count in [0, 1, 13, 63, 64, 65, 130, 255, 256, 257, 600] {
-        for [offset, stride] in [[0, 12], [5, 37], [24, 24], [100, 12]] {
+        for [offset, stride, of_codes] in
+            [[0, 12, 12], [5, 37, 37], [24, 24, 24], [100, 12, 12], [3, 16, C::BYTES]]
+        {
             let from = scattered(&vectors[..12 * count], 12, offset, stride);
-            let expected = scattered(&codes[..C::BYTES * count], C::BYTES, offset, stride);
+            let expected = scattered(&codes[..C::BYTES * count], C::BYTES, offset, of_codes);
             let expected_vectors = scattered(&decoded[..12 * count], 12, offset, stride);
             for level in Level::available() {
-                let mut to = scattered(&vec![0; C::BYTES * count], C::BYTES, offset, stride);
+                let mut to = scattered(&vec![0; C::BYTES * count], C::BYTES, offset, of_codes);
                 // A field at the offset, with the rest of its struct after it.
-                let rest = if offset + 12 <= stride && count > 0 { stride - offset - C::BYTES } else { 0 };
+                let rest =
+                    if offset + 12 <= of_codes && count > 0 { of_codes - offset - C::BYTES } else { 0 };
                 to.resize(to.len() + rest, 0xA5);
-                let strided = Strided { bytes: &mut to[..], offset, stride };
+                let strided = Strided { bytes: &mut to[..], offset, stride: of_codes };
                 let from = Strided { bytes: &from[..], offset, stride };
                 encode_strided_with(level, from, strided, C::BYTES, encode_slice_at::<C>).unwrap();
                 assert_eq!(to[..expected.len()], expected, "{level:?} {count} {offset} {stride}");
@@ -247,7 +250,7 @@ fn check_strided<C: Codec>(arrays: &[[f32; 3]]) {
 
                 let mut back = scattered(&vec![0; 12 * count], 12, offset, stride);
                 let strided = Strided { bytes: &mut back[..], offset, stride };
-                let from = Strided { bytes: &to[..], offset, stride };
+                let from = Strided { bytes: &to[..], offset, stride: of_codes };
                 decode_strided_with(level, from, strided, C::BYTES, decode_slice_at::<C>).unwrap();
                 assert_eq!(back, expected_vectors, "{level:?} {count} {offset} {stride}");
             }
