@@ -33,6 +33,7 @@ mod components;
 mod four_components;
 mod frames;
 mod list;
+mod nearest;
 mod octahedral;
 mod plain;
 mod quaternion;

@@ -14,10 +14,18 @@ pub(super) fn given(q: [f32; 4]) -> [f64; 4] {
     if (length(wide) - 1.0).abs() <= 1e-3 { wide } else { unit(q).map(|c| f64::from(c as f32)) }
 }
 
-/// The squared sine of the angle between two quaternions, and its cosine, times their lengths squared.
-fn parts([x, y, z, w]: [f64; 4], [a, b, c, d]: [f64; 4]) -> (f64, f64) {
-    let areas = [x * b - y * a, x * c - z * a, x * d - w * a, y * c - z * b, y * d - w * b, z * d - w * c];
-    (areas.iter().map(|area| area * area).sum(), x * a + y * b + z * c + w * d)
+/// The squared sine of the angle between two vectors or quaternions, and its cosine, times their lengths squared.
+#[inline(always)]
+pub(super) fn parts<const N: usize>(a: [f64; N], b: [f64; N]) -> (f64, f64) {
+    let (mut across, mut along) = (0.0, 0.0);
+    for i in 0..N {
+        for j in i + 1..N {
+            let area = a[i] * b[j] - a[j] * b[i];
+            across += area * area;
+        }
+        along += a[i] * b[i];
+    }
+    (across, along)
 }
 
 /// The tangent of the angle between two quaternions up to their signs: not less than the distance of unit quaternions.
@@ -43,7 +51,7 @@ pub(super) fn points<const N: usize>(ranges: [[f64; 2]; N]) -> impl Iterator<Ite
     })
 }
 
-pub(super) fn length(q: [f64; 4]) -> f64 {
+pub(super) fn length<const N: usize>(q: [f64; N]) -> f64 {
     q.iter().map(|c| c * c).sum::<f64>().sqrt()
 }
 
