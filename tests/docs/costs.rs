@@ -4,25 +4,28 @@ use super::tables::is_shown;
 use super::{compare, markdown_table};
 use crate::isa::gpus::{COUNTED, ratio, row};
 use crate::isa::{committed, stages};
-use serde_json::Value;
+use std::path::Path;
 use std::sync::LazyLock;
 use unitvec_catalogue::{AnyCodec, CODECS, Operation};
 use unitvec_choose::MEASURED;
-use unitvec_choose::costs::{GENERATIONS, Generation, Report, Row, Source, find_gpu};
+use unitvec_choose::costs::{GENERATIONS, Generation, Report, Row, Source, Times, find_gpu};
 use unitvec_lab::isa::pareto;
 use unitvec_lab::textbook::TEXTBOOK;
 use unitvec_tests::repository;
+use unitvec_vulkan::DeviceInfo;
 
 /// The reports of [`MEASURED`].
-static REPORTS: LazyLock<[Value; 2]> =
-    LazyLock::new(|| MEASURED.map(|(_, report)| serde_json::from_slice(report).unwrap()));
+static REPORTS: LazyLock<[Report; 2]> =
+    LazyLock::new(|| MEASURED.map(|(name, report)| Report::parse(Path::new(name), report).unwrap()));
 
-/// A figure of a codec's row, of its own kernel in SPIR-V from Rust.
-fn figure(report: &Value, id: &str, operation: Operation, key: &str) -> Option<f64> {
-    let operation = operation.to_string();
-    let is_own = |row: &Value| row["backend"] == "rust" && row["by_table"] == false;
-    let is_it = |row: &&Value| row["id"] == id && row["operation"] == operation && is_own(row);
-    report["rows"].as_array().unwrap().iter().find(is_it)?[key].as_f64()
+/// The times of a codec's kernel in SPIR-V from Rust.
+fn times<'a>(report: &'a Report, id: &str, operation: Operation) -> Option<&'a Times> {
+    report.row(id, operation, Source::Rust)?.times.as_deref()
+}
+
+/// The arithmetic of that kernel as a multiple of that of `oct32`'s.
+fn to_oct32(report: &Report, id: &str, operation: Operation) -> Option<f64> {
+    times(report, id, operation)?.ratio_to_oct32
 }
 
 /// The inverse throughput of encoding or decoding on RDNA 2 as a multiple of `oct32`'s.
@@ -54,33 +57,18 @@ pub fn number(value: Option<f64>, digits: usize) -> String {
 
 /// True where the arithmetic of both operations was measured on every device.
 pub fn is_measured(id: &str) -> bool {
-    let has = |report| {
-        Operation::ALL.iter().all(|operation| figure(report, id, *operation, "alu_ratio_to_oct32").is_some())
-    };
+    let has = |report| Operation::ALL.iter().all(|operation| to_oct32(report, id, *operation).is_some());
     REPORTS.iter().all(has)
 }
 
 /// The devices, and the amount of their work.
 pub fn devices() -> String {
-    let text = |value: &Value| value.as_str().unwrap().to_owned();
     let rows = REPORTS.iter().map(|report| {
-        let device = &report["device"];
-        format!(
-            "{} | {} | {} | {} | {}",
-            text(&device["name"]),
-            text(&device["driver"]),
-            text(&device["api_version"]),
-            report["count"],
-            report["repetitions"]
-        )
+        let DeviceInfo { name, driver, api_version, .. } = &report.device;
+        let (count, repetitions) = (report.count.unwrap(), report.repetitions.unwrap());
+        format!("{name} | {driver} | {api_version} | {count} | {repetitions}")
     });
     markdown_table("device | driver | Vulkan | vectors | times each", rows)
-}
-
-/// The shipped kernel's speed in per cent of that of a copy.
-fn of_copy(report: &Value, id: &str, operation: Operation) -> Option<f64> {
-    let speed = |key| figure(report, id, operation, key);
-    Some(100.0 * speed("bytes_per_s")? / speed("copy_bytes_per_s")?)
 }
 
 /// Costs of both operations: inverse throughput on all generations of GPUs and measured arithmetic, as multiples of
@@ -102,7 +90,7 @@ pub fn table(rows: &str) -> String {
         let integer = |figure: fn(&Row) -> Option<u64>| {
             pair(0, |operation| Some(figure(rdna2().row(id, operation, Source::Glsl)?)? as f64))
         };
-        let measured = |report| pair(1, |operation| figure(report, id, operation, "alu_ratio_to_oct32"));
+        let measured = |report| pair(1, |operation| to_oct32(report, id, operation));
         cells.extend(REPORTS.iter().map(measured));
         cells.extend([
             integer(|row| row.inverse_throughput),
@@ -110,7 +98,9 @@ pub fn table(rows: &str) -> String {
             integer(|row| row.vector_registers),
             pair(2, |operation| rdna2().ratio_to_glsl(rdna2().row(id, operation, Source::Rust)?)),
         ]);
-        cells.extend(REPORTS.iter().map(|report| pair(0, |operation| of_copy(report, id, operation))));
+        cells.extend(
+            REPORTS.iter().map(|report| pair(0, |operation| Some(times(report, id, operation)?.of_copy()))),
+        );
         format!("`{id}` | {}", cells.join(" | "))
     });
     markdown_table(&titles, shown)

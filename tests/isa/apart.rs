@@ -48,11 +48,11 @@ pub fn compile(
     let hash = |text: &str| sha256_hex(text.as_bytes())[..32].to_owned();
     let shipped = files.iter().map(|file| (format!("glsl/{file}"), hash(glsl::source(file).unwrap())));
     let others = others.iter().map(|(file, text)| ((*file).to_owned(), hash(text)));
+    let rows = rows(&Asked::new(&inspector).unwrap(), &Compiler::new().unwrap());
+    let device = inspector.device().info().clone();
     let report = Report {
-        device: inspector.device().info().clone(),
-        kernel: KernelKind::default(),
         sources: shipped.chain(others).collect(),
-        rows: rows(&Asked::new(&inspector).unwrap(), &Compiler::new().unwrap()),
+        ..Report::new(device, KernelKind::default(), rows)
     };
     unitvec_files::write_file(Path::new(&output), report.to_json().as_bytes()).unwrap();
     // VideoCore's stand-in waits for its queue, and ends the process.

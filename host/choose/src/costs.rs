@@ -196,6 +196,8 @@ pub enum Source {
     Textbook,
     /// GLSL without a codec, which adds the components that it reads: the work of [`KernelKind::One`] besides the codec's.
     Idle,
+    /// Rust, decoding codes of two bytes by a table of their vectors: of the [measured](KernelKind::Measured) alone.
+    Table,
 }
 
 /// The kernels that a report is of.
@@ -209,6 +211,9 @@ pub enum KernelKind {
     Four,
     /// One element an invocation, with aligned reads and writes and no branch.
     One,
+    /// Those that ship and those that measure arithmetic, which a device ran.
+    #[value(skip)]
+    Measured,
 }
 
 impl fmt::Display for Source {
@@ -217,7 +222,7 @@ impl fmt::Display for Source {
     }
 }
 
-/// A compiler's figures for the kernels.
+/// Figures of the kernels: a compiler's, or measured ones.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Report {
     /// Device and driver.
@@ -225,13 +230,19 @@ pub struct Report {
     /// The kernels.
     #[serde(default)]
     pub kernel: KernelKind,
-    /// The files that the kernels came from, with the first half of their SHA-256.
+    /// The files that the kernels came from, with the first half of their SHA-256; of measured kernels none is named.
     pub sources: BTreeMap<String, String>,
+    /// Vectors of a measured dispatch.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub count: Option<usize>,
+    /// Times that measured arithmetic encodes or decodes each vector.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub repetitions: Option<u32>,
     /// One row a codec, operation and source.
     pub rows: Vec<Row>,
 }
 
-/// A compiler's figures for one kernel. Those that the driver does not give are null.
+/// Figures of one kernel. Those that the driver does not give are null.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Row {
     /// Codec; for a textbook's kernel the codec in the same format, for an idle one its [`shape`].
@@ -271,6 +282,35 @@ pub struct Row {
     /// Invocations that an instruction serves, where the compiler chooses the number.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub width: Option<u64>,
+    /// Of a kernel that a device ran.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub times: Option<Box<Times>>,
+}
+
+/// Times of one kernel, medians over the dispatches.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct Times {
+    /// Nanoseconds of arithmetic a vector, less the baseline's.
+    pub ns_per_vector: Option<f64>,
+    /// The largest less the smallest of the nanoseconds.
+    pub spread_ns: Option<f64>,
+    /// The nanoseconds' ratio to those of `oct32`, of the same operation and source, measured beside it.
+    pub ratio_to_oct32: Option<f64>,
+    /// For SPIR-V from Rust, the ratio to SPIR-V from GLSL, measured beside it.
+    pub ratio_to_glsl: Option<f64>,
+    /// Vectors that the shipped kernel takes in a second.
+    pub vectors_per_s: f64,
+    /// Bytes that the shipped kernel reads and writes in a second.
+    pub bytes_per_s: f64,
+    /// Bytes that a kernel which copies as many reads and writes in a second.
+    pub copy_bytes_per_s: f64,
+}
+
+impl Times {
+    /// The shipped kernel's speed in per cent of that of a copy.
+    pub fn of_copy(&self) -> f64 {
+        100.0 * self.bytes_per_s / self.copy_bytes_per_s
+    }
 }
 
 impl Row {
@@ -290,12 +330,18 @@ impl Row {
             classes: BTreeMap::new(),
             spills: None,
             width: None,
+            times: None,
         }
     }
 }
 
 impl Report {
-    /// A report of `unitvec bench compiler --json`.
+    /// A report that names no sources.
+    pub fn new(device: DeviceInfo, kernel: KernelKind, rows: Vec<Row>) -> Self {
+        Self { device, kernel, sources: BTreeMap::new(), count: None, repetitions: None, rows }
+    }
+
+    /// A report of `unitvec bench device --json` or `unitvec bench compiler --json`.
     ///
     /// # Errors
     /// [`Error::BadCosts`] if the bytes are no such report.
@@ -309,21 +355,27 @@ impl Report {
         // Serialising plain structs and strings to memory has no way to fail.
         let json = |value: serde_json::Result<String>| value.unwrap_or_default();
         let rows: Vec<String> = self.rows.iter().map(|row| json(serde_json::to_string(row))).collect();
+        let amount = |name: &str, value: Option<u64>| {
+            value.map_or_else(String::new, |value| format!("\"{name}\": {value},\n"))
+        };
         format!(
-            "{{\"device\": {},\n\"kernel\": {},\n\"sources\": {},\n\"rows\": [\n{}\n]}}\n",
+            "{{\"device\": {},\n\"kernel\": {},\n\"sources\": {},\n{}{}\"rows\": [\n{}\n]}}\n",
             json(serde_json::to_string(&self.device)),
             json(serde_json::to_string(&self.kernel)),
             json(serde_json::to_string_pretty(&self.sources)),
+            amount("count", self.count.map(|count| count as u64)),
+            amount("repetitions", self.repetitions.map(u64::from)),
             rows.join(",\n")
         )
     }
 
-    /// The GPU and the compiler: `RDNA 2 (navi21), radv Mesa 22.3.6`.
+    /// The GPU and the compiler, `RDNA 2 (navi21), radv Mesa 22.3.6`; the device alone where it ran the kernels.
     pub fn subject(&self) -> String {
         let DeviceInfo { name, driver, .. } = &self.device;
         let stand_in = name.strip_prefix("Null hardware (RADV ").and_then(|name| name.strip_suffix(')'));
         match stand_in.and_then(find_generation) {
             Some(generation) => format!("{} ({}), {driver}", generation.title, generation.gpu),
+            None if self.kernel == KernelKind::Measured => name.clone(),
             None => format!("{}, {driver}", stand_in.unwrap_or(name)),
         }
     }
@@ -333,25 +385,41 @@ impl Report {
         self.rows.iter().find(|row| (row.id.as_str(), row.operation, row.source) == (id, operation, source))
     }
 
-    /// The cost of a kernel: inverse throughput, or of kernels of one element instructions [beyond idle](Self::beyond_idle).
+    /// The cost of a kernel: inverse throughput, of kernels of one element instructions [beyond idle](Self::beyond_idle), of
+    /// those that a device ran nanoseconds.
     pub fn cost(&self, row: &Row) -> Option<f64> {
         match self.kernel {
             KernelKind::Four => row.inverse_throughput.map(|cycles| cycles as f64),
             KernelKind::One => self.beyond_idle(row),
+            KernelKind::Measured => row.times.as_ref()?.ns_per_vector,
         }
     }
 
-    /// The [cost](Self::cost) of a kernel as a multiple of that of `oct32`'s from GLSL.
-    pub fn ratio_to_oct32(&self, row: &Row) -> Option<f64> {
-        self.ratio(row, REFERENCE, |row| self.cost(row))
+    /// The source whose costs stand for the codecs: GLSL, or Rust where its arithmetic was measured.
+    pub fn main_source(&self) -> Source {
+        let is_measured = |row: &Row| row.source == Source::Rust && self.cost(row).is_some();
+        let is_rust = self.kernel == KernelKind::Measured && self.rows.iter().any(is_measured);
+        if is_rust { Source::Rust } else { Source::Glsl }
     }
 
-    /// The instructions of a kernel as a multiple of those of the codec's kernel from GLSL.
+    /// The [cost](Self::cost) of a kernel as a multiple of that of `oct32`'s from GLSL, or where it was measured from the
+    /// kernel's own source.
+    pub fn ratio_to_oct32(&self, row: &Row) -> Option<f64> {
+        match &row.times {
+            Some(times) => times.ratio_to_oct32,
+            None => self.ratio(row, REFERENCE, |row| self.cost(row)),
+        }
+    }
+
+    /// The instructions of a kernel as a multiple of those of the codec's kernel from GLSL; of measured ones the times.
     pub fn ratio_to_glsl(&self, row: &Row) -> Option<f64> {
-        self.ratio(row, &row.id, |row| match self.kernel {
-            KernelKind::Four => row.instructions.map(|count| count as f64),
-            KernelKind::One => self.beyond_idle(row),
-        })
+        match &row.times {
+            Some(times) => times.ratio_to_glsl,
+            None => self.ratio(row, &row.id, |row| match self.kernel {
+                KernelKind::One => self.beyond_idle(row),
+                _ => row.instructions.map(|count| count as f64),
+            }),
+        }
     }
 
     /// The instructions of a kernel of one element beyond those of the idle one that reads and writes the same. Those that

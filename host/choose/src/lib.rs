@@ -9,13 +9,11 @@ pub mod seen;
 pub use costs::REFERENCE;
 pub use error::{Error, Result};
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::path::Path;
 use unitvec_catalogue::{AnyCodec, CODECS, Domain, Element, Measured, Operation};
-use unitvec_files::one_line;
-use unitvec_run::backend::BackendKind;
 
 /// The demands on a codec.
 #[derive(Clone, Copy, Debug)]
@@ -42,26 +40,6 @@ pub struct Costs {
     by_codec: HashMap<String, [f64; 2]>,
 }
 
-/// The part that [`Costs`] reads of the report of `unitvec bench --json` on a device.
-#[derive(Deserialize)]
-struct Report {
-    device: ReportDevice,
-    rows: Vec<ReportRow>,
-}
-
-#[derive(Deserialize)]
-struct ReportDevice {
-    name: String,
-}
-
-#[derive(Deserialize)]
-struct ReportRow {
-    id: String,
-    operation: Operation,
-    backend: BackendKind,
-    alu_ratio_to_oct32: Option<f64>,
-}
-
 /// Devices that `unitvec bench device` ran on, with its reports: NVIDIA's H200, and Mesa's driver for CPUs.
 pub const MEASURED: [(&str, &[u8]); 2] = [
     ("H200", include_bytes!("../data/costs_h200.json")),
@@ -76,7 +54,7 @@ impl Costs {
     /// [`Error::UnknownGpu`]; [`Error::BadCosts`], which would be a fault of this crate.
     pub fn shipped(name: &str) -> Result<Self> {
         if let Some(generation) = costs::find_generation(name) {
-            return Self::compiled(&generation.path(), &generation.shipped()?);
+            return Self::of_report(&generation.path(), &generation.shipped()?);
         }
         if let Some(gpu) = costs::find_gpu(name) {
             return Ok(Self::new(format!("{} ({})", gpu.title, gpu.name), costs::counted(gpu)));
@@ -91,23 +69,12 @@ impl Costs {
     /// # Errors
     /// [`Error::BadCosts`] if the file is no such report.
     pub fn parse(path: &Path, json: &[u8]) -> Result<Self> {
-        if let Ok(report) = costs::Report::parse(path, json) {
-            return Self::compiled(path, &report);
-        }
-        let report: Report = serde_json::from_slice(json)
-            .map_err(|error| Error::BadCosts { path: path.to_owned(), reason: one_line(error) })?;
-        let ratio = |row: ReportRow| Some((row.id, row.operation, row.alu_ratio_to_oct32?));
-        // Where arithmetic from Rust was not measured, arithmetic from GLSL counts.
-        let is_measured = |row: &ReportRow| row.alu_ratio_to_oct32.is_some();
-        let has = |kind| report.rows.iter().any(|row| row.backend == kind && is_measured(row));
-        let kind = if has(BackendKind::Rust) { BackendKind::Rust } else { BackendKind::Glsl };
-        let rows = report.rows.into_iter().filter(|row| row.backend == kind);
-        Ok(Self::new(report.device.name, rows.filter_map(ratio)))
+        Self::of_report(path, &costs::Report::parse(path, json)?)
     }
 
-    /// Reads costs for the kernels from GLSL, as inverse throughput or, of kernels of one element, as instructions.
-    fn compiled(path: &Path, report: &costs::Report) -> Result<Self> {
-        let rows = report.rows.iter().filter(|row| row.source == costs::Source::Glsl);
+    fn of_report(path: &Path, report: &costs::Report) -> Result<Self> {
+        let source = report.main_source();
+        let rows = report.rows.iter().filter(|row| row.source == source);
         let ratio = |row: &costs::Row| Some((row.id.clone(), row.operation, report.ratio_to_oct32(row)?));
         let costs = Self::new(report.subject(), rows.filter_map(ratio));
         if costs.by_codec.is_empty() {

@@ -2,19 +2,20 @@
 //! shipped kernels run.
 
 use crate::Result;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 use unitvec_catalogue::{self as catalogue, AnyCodec, Domain, Element, Operation};
 use unitvec_choose::REFERENCE;
+use unitvec_choose::costs::{KernelKind, Report, Row, Source, Times};
 use unitvec_manifest::modules;
 use unitvec_manifest::modules::Modules;
 use unitvec_oracle::survey;
-use unitvec_run::backend::{BackendKind, KernelSource, decode_table};
+use unitvec_run::backend::{KernelSource, decode_table};
 use unitvec_run::shader::Edition;
 use unitvec_run::{glsl, sampling};
-use unitvec_vulkan::{self as vulkan, BufferPromise, Device, DeviceInfo, Division, Kernel, Runner, Table};
+use unitvec_vulkan::{self as vulkan, BufferPromise, Device, Division, Kernel, Runner, Table};
 
 /// Times that a cost kernel encodes or decodes each vector, as the survey did (section 4.2).
 const REPETITIONS: u32 = 100;
@@ -30,50 +31,6 @@ pub struct Options {
     /// The folder of kernels from Rust that measure arithmetic, which `cargo xtask spirv --cost` builds. They run as they are.
     /// Without them the arithmetic of SPIR-V from GLSL alone is measured.
     pub cost_kernels: Option<PathBuf>,
-}
-
-/// All that was measured.
-#[derive(Debug, Serialize, schemars::JsonSchema)]
-pub struct Report {
-    /// Device.
-    pub device: DeviceInfo,
-    /// Vectors of a dispatch.
-    pub count: usize,
-    /// Times that cost kernels encode or decode each vector.
-    pub repetitions: u32,
-    /// One row a codec, operation and backend; decoding by table besides.
-    pub rows: Vec<Row>,
-}
-
-/// The measurements of one kernel.
-#[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
-pub struct Row {
-    /// Codec.
-    pub id: &'static str,
-    /// The codec's bits.
-    pub bits: u32,
-    /// The kernel's operation.
-    pub operation: Operation,
-    /// The kernel's source language.
-    pub backend: BackendKind,
-    /// Set for the kernel that looks two-byte codes up in a table of their vectors: throughput alone.
-    pub by_table: bool,
-    /// Nanoseconds of arithmetic a vector, less the baseline's: the median over the dispatches.
-    pub alu_ns_per_vector: Option<f64>,
-    /// The largest less the smallest of the nanoseconds.
-    pub alu_spread_ns: Option<f64>,
-    /// The nanoseconds' ratio to those of `oct32`, of the same operation and backend, measured beside it: the median.
-    pub alu_ratio_to_oct32: Option<f64>,
-    /// For SPIR-V from Rust, the ratio to SPIR-V from GLSL, measured beside it: the median.
-    pub alu_ratio_to_glsl: Option<f64>,
-    /// Vectors that the shipped kernel takes in a second: of the median over the dispatches.
-    pub vectors_per_s: f64,
-    /// Bytes that the shipped kernel reads and writes in a second.
-    pub bytes_per_s: f64,
-    /// Bytes that a kernel which copies as many reads and writes in a second.
-    pub copy_bytes_per_s: f64,
-    /// The survey's figure, of a GeForce GTX 680.
-    pub survey_ns_per_vector: Option<f64>,
 }
 
 /// A row of the survey's table 2.
@@ -102,7 +59,7 @@ pub struct Bench {
     compiler: glsl::Compiler,
     best_fit_table: Table,
     /// The baseline and the kernel of [`REFERENCE`].
-    references: HashMap<(Operation, BackendKind), [Kernel; 2]>,
+    references: HashMap<(Operation, Source), [Kernel; 2]>,
     options: Options,
     vectors: Vec<u8>,
     codes: Vec<u64>,
@@ -131,10 +88,10 @@ impl Bench {
         };
         let reference = catalogue::find(REFERENCE)?;
         for operation in Operation::ALL {
-            for backend in bench.measured() {
-                let kernel = |format| bench.cost_kernel(backend, format, operation);
+            for source in bench.measured() {
+                let kernel = |format| bench.cost_kernel(source, format, operation);
                 let pair = [kernel(None)?, kernel(Some(reference))?];
-                bench.references.insert((operation, backend), pair);
+                bench.references.insert((operation, source), pair);
             }
         }
         Ok(bench)
@@ -143,7 +100,8 @@ impl Bench {
     /// The rows measured, with what they were measured on.
     pub fn report(&self, rows: Vec<Row>) -> Report {
         let device = self.runner.device().info().clone();
-        Report { device, count: self.options.count, repetitions: REPETITIONS, rows }
+        let (count, repetitions) = (Some(self.options.count), Some(REPETITIONS));
+        Report { count, repetitions, ..Report::new(device, KernelKind::Measured, rows) }
     }
 
     /// Measures both operations of a codec.
@@ -154,47 +112,37 @@ impl Bench {
         let mut rows = Vec::new();
         for operation in Operation::ALL {
             let measured = self.cost(format, operation)?;
-            let of = |kind| measured.iter().find(|(backend, _)| *backend == kind).map(|(_, costs)| costs);
-            let (rust, glsl) = (of(BackendKind::Rust), of(BackendKind::Glsl));
+            let of = |one| measured.iter().find(|(source, _)| *source == one).map(|(_, costs)| costs);
+            let (rust, glsl) = (of(Source::Rust), of(Source::Glsl));
             let (copy, speeds) = self.throughput(format, operation)?;
             let traffic = (format.element.bytes() + format.bytes) as f64;
-            for (backend, by_table, vectors_per_s) in speeds {
-                let costs = of(backend).filter(|_| !by_table);
+            for (source, vectors_per_s) in speeds {
+                let costs = of(source);
                 let to_glsl = rust.zip(glsl).map(|(rust, glsl)| ratio(&rust.codec, &glsl.codec));
-                rows.push(Row {
-                    id: format.id,
-                    bits: format.bits,
-                    operation,
-                    backend,
-                    by_table,
-                    alu_ns_per_vector: costs.map(|costs| median(costs.codec.clone())),
-                    alu_spread_ns: costs.map(|costs| spread(&costs.codec)),
-                    alu_ratio_to_oct32: costs.map(|costs| ratio(&costs.codec, &costs.reference)),
-                    alu_ratio_to_glsl: to_glsl.filter(|_| backend == BackendKind::Rust && !by_table),
+                let times = Times {
+                    ns_per_vector: costs.map(|costs| median(costs.codec.clone())),
+                    spread_ns: costs.map(|costs| spread(&costs.codec)),
+                    ratio_to_oct32: costs.map(|costs| ratio(&costs.codec, &costs.reference)),
+                    ratio_to_glsl: to_glsl.filter(|_| source == Source::Rust),
                     vectors_per_s,
                     bytes_per_s: vectors_per_s * traffic,
                     copy_bytes_per_s: copy * traffic,
-                    survey_ns_per_vector: survey_ns(format.id, operation),
-                });
+                };
+                rows.push(Row { times: Some(Box::new(times)), ..Row::new(format.id, operation, source) });
             }
         }
         Ok(rows)
     }
 
-    fn measured(&self) -> impl Iterator<Item = BackendKind> + use<> {
+    fn measured(&self) -> impl Iterator<Item = Source> + use<> {
         let has_rust = self.options.cost_kernels.is_some();
-        BACKENDS.into_iter().filter(move |backend| has_rust || *backend == BackendKind::Glsl)
+        SOURCES.into_iter().filter(move |source| has_rust || *source == Source::Glsl)
     }
 
     /// The kernel that measures a codec's arithmetic; the baseline without a codec.
-    fn cost_kernel(
-        &self,
-        backend: BackendKind,
-        format: Option<&AnyCodec>,
-        operation: Operation,
-    ) -> Result<Kernel> {
+    fn cost_kernel(&self, source: Source, format: Option<&AnyCodec>, operation: Operation) -> Result<Kernel> {
         let table = format.and_then(|format| self.table_of(format, operation));
-        if let (BackendKind::Rust, Some(folder)) = (backend, &self.options.cost_kernels) {
+        if let (Source::Rust, Some(folder)) = (source, &self.options.cost_kernels) {
             let function =
                 format.map_or_else(|| format!("baseline_{operation}"), |format| format.function(operation));
             let name = format!("{function}_cost");
@@ -211,10 +159,10 @@ impl Bench {
         (operation == Operation::Encode && format.encodes_by_table).then_some(&self.best_fit_table)
     }
 
-    /// Costs of the kernels of each backend that is measured.
-    fn cost(&mut self, format: &AnyCodec, operation: Operation) -> Result<Vec<(BackendKind, Costs)>> {
-        let backends: Vec<BackendKind> = self.measured().collect();
-        let kernels = backends.iter().map(|backend| self.cost_kernel(*backend, Some(format), operation));
+    /// Costs of the kernels of each source that is measured.
+    fn cost(&mut self, format: &AnyCodec, operation: Operation) -> Result<Vec<(Source, Costs)>> {
+        let sources: Vec<Source> = self.measured().collect();
+        let kernels = sources.iter().map(|source| self.cost_kernel(*source, Some(format), operation));
         let kernels = kernels.collect::<Result<Vec<Kernel>>>()?;
         let input: Vec<u8> = match operation {
             Operation::Encode => self.elements(Element::Vector),
@@ -226,8 +174,8 @@ impl Bench {
         };
         // Kernels that are compared are side by side: the codec's kernels are next to each other.
         let mut order: Vec<(usize, usize, &Kernel)> = Vec::new();
-        for (index, (backend, kernel)) in backends.iter().zip(&kernels).enumerate() {
-            let [baseline, reference] = &self.references[&(operation, *backend)];
+        for (index, (source, kernel)) in sources.iter().zip(&kernels).enumerate() {
+            let [baseline, reference] = &self.references[&(operation, *source)];
             let parts = [baseline, reference, kernel];
             order.extend(alternating(index, parts.len()).map(|part| (index, part, parts[part])));
         }
@@ -241,7 +189,7 @@ impl Bench {
         for (_, _, kernel) in &order {
             time(kernel, 4)?;
         }
-        let mut costs: Vec<_> = backends.into_iter().map(|backend| (backend, Costs::default())).collect();
+        let mut costs: Vec<_> = sources.into_iter().map(|source| (source, Costs::default())).collect();
         for sample in 0..self.options.samples {
             let mut times = vec![[0.0; 3]; costs.len()];
             for (index, part, kernel) in alternating(sample, order.len()).map(|i| order[i]) {
@@ -255,8 +203,8 @@ impl Bench {
         Ok(costs)
     }
 
-    /// Vectors a second of a kernel that copies, and of the shipped ones, each with its backend and whether it decodes by table.
-    fn throughput(&mut self, format: &AnyCodec, operation: Operation) -> Result<(f64, Vec<Speed>)> {
+    /// Vectors a second of a kernel that copies, and of the shipped ones by their sources.
+    fn throughput(&mut self, format: &AnyCodec, operation: Operation) -> Result<(f64, Vec<(Source, f64)>)> {
         let count = self.options.count;
         let copy = self.compiler.copy_kernel(format, operation)?;
         let table = self.table_of(format, operation).cloned();
@@ -264,13 +212,13 @@ impl Bench {
         let [rust, glsl] = &self.sources;
         let mut kernels = vec![
             (None, self.runner.kernel(&copy, glsl::ENTRY_POINT, None)?),
-            (Some((BackendKind::Rust, false)), kernel(rust, &self.runner)?),
-            (Some((BackendKind::Glsl, false)), kernel(glsl, &self.runner)?),
+            (Some(Source::Rust), kernel(rust, &self.runner)?),
+            (Some(Source::Glsl), kernel(glsl, &self.runner)?),
         ];
         if (format.bytes, operation) == (2, Operation::Decode) {
             let table = self.runner.table(bytemuck::cast_slice(&decode_table(format)?))?;
             let kernel = rust.decode_by_table(&self.runner, &table)?;
-            kernels.push((Some((BackendKind::Rust, true)), kernel));
+            kernels.push((Some(Source::Table), kernel));
         }
 
         let (element, code) = (count * format.element.bytes(), count * format.bytes);
@@ -291,8 +239,8 @@ impl Bench {
         }
         let mut speeds = times.into_iter().map(|times| count as f64 / (median(times) * 1e-9));
         let copy = speeds.next().unwrap_or(f64::NAN);
-        let kinds = kernels.iter().filter_map(|(kind, _)| *kind);
-        Ok((copy, kinds.zip(speeds).map(|((backend, by_table), speed)| (backend, by_table, speed)).collect()))
+        let sources = kernels.iter().filter_map(|(source, _)| *source);
+        Ok((copy, sources.zip(speeds).collect()))
     }
 
     fn elements(&self, element: Element) -> Vec<u8> {
@@ -318,11 +266,8 @@ struct Costs {
     reference: Vec<f64>,
 }
 
-/// A kernel's backend, whether it decodes by table, and its vectors a second.
-type Speed = (BackendKind, bool, f64);
-
 /// The kernels measured, in the order of a [`Bench`]'s sources.
-const BACKENDS: [BackendKind; 2] = [BackendKind::Rust, BackendKind::Glsl];
+const SOURCES: [Source; 2] = [Source::Rust, Source::Glsl];
 
 /// 0 to n - 1, backwards every other time: so a device that slows down or speeds up does so for all alike.
 fn alternating(sample: usize, n: usize) -> impl Iterator<Item = usize> {

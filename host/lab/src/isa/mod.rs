@@ -84,20 +84,17 @@ pub fn measure(
         .par_iter()
         .map(|format| {
             let rows = match kernel {
-                KernelKind::Four => of_codec(&asked, modules, format)?,
                 KernelKind::One => rows(&asked, one::of_codec(format)?)?,
+                _ => of_codec(&asked, modules, format)?,
             };
             done(format);
             Ok(rows)
         })
         .collect();
     let idle = if kernel == KernelKind::One { rows(&asked, one::idle(formats)?)? } else { Vec::new() };
-    Ok(Report {
-        device: inspector.device().info().clone(),
-        kernel,
-        sources: sources(modules, formats, kernel)?,
-        rows: measured?.into_iter().flatten().chain(idle).collect(),
-    })
+    let rows = measured?.into_iter().flatten().chain(idle).collect();
+    let device = inspector.device().info().clone();
+    Ok(Report { sources: sources(modules, formats, kernel)?, ..Report::new(device, kernel, rows) })
 }
 
 fn rows(asked: &Asked<'_>, kernels: Vec<one::Kernel>) -> Result<Vec<Row>> {

@@ -53,7 +53,8 @@ pub fn measure(
         api_version: "none".to_owned(),
     };
     let rows = rows?.into_iter().flatten().collect();
-    Ok(Report { device, kernel: KernelKind::One, sources: sources(modules, formats, KernelKind::One)?, rows })
+    let sources = sources(modules, formats, KernelKind::One)?;
+    Ok(Report { sources, ..Report::new(device, KernelKind::One, rows) })
 }
 
 impl Toolkit {

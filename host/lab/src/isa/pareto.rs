@@ -83,6 +83,7 @@ pub fn svg(report: &Report) -> Result<String, Box<dyn Error>> {
             let cost = match report.kernel {
                 KernelKind::Four => "inverse throughput: cycles for 64 invocations of four vectors",
                 KernelKind::One => "instructions of one vector",
+                KernelKind::Measured => "nanoseconds of one vector",
             };
             draw(area, (&caption, cost), &points(report, operation))?;
         }

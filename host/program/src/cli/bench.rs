@@ -2,17 +2,16 @@
 
 use super::run::{CODECS_LEFT, Live, Outputs, Run, Screen};
 use super::table::{Column, left, right};
-use super::{counted, examples, number, to_json};
+use super::{counted, examples, number};
 use clap::{Args, Subcommand};
-use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_catalogue as catalogue;
 use unitvec_catalogue::Operation;
+use unitvec_choose::costs::{Report, Row, Source, Times};
 use unitvec_host::Result;
-use unitvec_lab::bench::{Bench, Options, Report, Row};
-use unitvec_run::backend::BackendKind;
+use unitvec_lab::bench::{Bench, Options, survey_ns};
 use unitvec_vulkan::{DeviceInfo, DeviceKind};
 
 #[derive(Args)]
@@ -35,9 +34,9 @@ enum Mode {
     Compiler(super::compiler::Arguments),
 }
 
-/// Which kernels are measured, and where the outcome goes.
+/// Which codecs, and where the outcome goes.
 #[derive(Args)]
-pub struct Measured {
+pub struct Reported {
     #[command(flatten)]
     pub outputs: Outputs,
     /// Write a table in Markdown as well.
@@ -47,9 +46,10 @@ pub struct Measured {
     pub run: Run,
 }
 
-impl Measured {
-    pub fn write<R: Serialize>(&self, rows: &[R], json: &str, markdown: &str) -> Result<()> {
-        self.outputs.write(rows)?;
+impl Reported {
+    /// Writes the outcome; `table` has titles and rows.
+    pub fn write(&self, table: &[Vec<String>], json: &str, markdown: &str) -> Result<()> {
+        self.outputs.write(table)?;
         if let Some(path) = &self.markdown {
             unitvec_files::write_file(path, markdown.as_bytes())?;
         }
@@ -70,7 +70,7 @@ struct OnDevice {
     #[arg(long, value_name = "FOLDER")]
     cost_kernels: Option<PathBuf>,
     #[command(flatten)]
-    measured: Measured,
+    reported: Reported,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
@@ -82,8 +82,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
 }
 
 fn run_on_device(arguments: &OnDevice) -> Result<ExitCode> {
-    let (measured, run) = (&arguments.measured, &arguments.measured.run);
-    let is_quiet = measured.outputs.take_stdout(&run.json)?;
+    let (reported, run) = (&arguments.reported, &arguments.reported.run);
+    let is_quiet = reported.outputs.take_stdout(&run.json)?;
     let chosen = run.formats()?;
     let device = run.vulkan.device()?;
     let options = Options {
@@ -99,15 +99,15 @@ fn run_on_device(arguments: &OnDevice) -> Result<ExitCode> {
     screen.head(&legend)?;
     let mut rows = Vec::new();
     for format in chosen {
-        let measured = bench.measure(format)?;
-        screen.row(format.id, || lines(&screen, &measured))?;
+        let of_codec = bench.measure(format)?;
+        screen.row(format.id, || lines(&screen, format.id, &of_codec))?;
         screen.live.advance(1);
-        rows.extend(measured);
+        rows.extend(of_codec);
     }
     let report = bench.report(rows);
     drop(bench);
     screen.close(device);
-    measured.write(&report.rows, &to_json(&report), &markdown(&report))?;
+    reported.write(&table(&report), &report.to_json(), &markdown(&report))?;
     screen.end(&summary(&report))
 }
 
@@ -153,78 +153,94 @@ fn columns() -> Vec<Column> {
     ]
 }
 
-fn lines(screen: &Screen, rows: &[Row]) -> String {
+/// The times of a codec's kernel.
+fn find<'a>(rows: &'a [Row], id: &str, operation: Operation, source: Source) -> Option<&'a Times> {
+    let is_it = |row: &&Row| (row.id.as_str(), row.operation, row.source) == (id, operation, source);
+    rows.iter().find(is_it)?.times.as_deref()
+}
+
+fn lines(screen: &Screen, id: &str, rows: &[Row]) -> String {
     let mut text = String::new();
     for operation in Operation::ALL {
-        let of = |backend, by_table| {
-            let wanted = (operation, backend, by_table);
-            rows.iter().find(|row| (row.operation, row.backend, row.by_table) == wanted)
-        };
-        let (Some(rust), Some(glsl)) = (of(BackendKind::Rust, false), of(BackendKind::Glsl, false)) else {
+        let of = |source| find(rows, id, operation, source);
+        let (Some(rust), Some(glsl)) = (of(Source::Rust), of(Source::Glsl)) else {
             continue;
         };
-        let by_table = of(BackendKind::Rust, true).map(|row| row.vectors_per_s / 1e6);
+        let by_table = of(Source::Table).map(|times| times.vectors_per_s / 1e6);
         text += &screen.line(&[
-            &rust.id,
+            &id,
             &operation.to_string(),
-            &fitting(rust.alu_ns_per_vector, 4, 8),
-            &fitting(rust.alu_spread_ns, 4, 7),
-            &fitting(glsl.alu_ns_per_vector, 4, 8),
-            &fitting(glsl.alu_spread_ns, 4, 7),
-            &fitting(rust.alu_ratio_to_glsl, 3, 6),
-            &fitting(rust.alu_ratio_to_oct32.or(glsl.alu_ratio_to_oct32), 2, 7),
-            &fitting(rust.survey_ns_per_vector, 4, 7),
+            &fitting(rust.ns_per_vector, 4, 8),
+            &fitting(rust.spread_ns, 4, 7),
+            &fitting(glsl.ns_per_vector, 4, 8),
+            &fitting(glsl.spread_ns, 4, 7),
+            &fitting(rust.ratio_to_glsl, 3, 6),
+            &fitting(rust.ratio_to_oct32.or(glsl.ratio_to_oct32), 2, 7),
+            &fitting(survey_ns(id, operation), 4, 7),
             &fitting(Some(rust.vectors_per_s / 1e6), 1, 8),
             &fitting(Some(glsl.vectors_per_s / 1e6), 1, 8),
-            &format_args!("{:.0}", 100.0 * rust.bytes_per_s / rust.copy_bytes_per_s),
+            &format_args!("{:.0}", rust.of_copy()),
             &fitting(by_table, 1, 7),
         ]);
     }
     text
 }
 
+/// The rows under titles.
+fn table(report: &Report) -> Vec<Vec<String>> {
+    let titles = "id,operation,source,ns_per_vector,spread_ns,ratio_to_oct32,ratio_to_glsl,vectors_per_s,bytes_per_s,\
+        copy_bytes_per_s";
+    let titles = titles.split(',').map(str::to_owned).collect();
+    let rows = report.rows.iter().filter_map(|row| {
+        let times = row.times.as_deref()?;
+        let Times { ns_per_vector, spread_ns, ratio_to_oct32, ratio_to_glsl, .. } = *times;
+        let Times { vectors_per_s, bytes_per_s, copy_bytes_per_s, .. } = *times;
+        let optional = [ns_per_vector, spread_ns, ratio_to_oct32, ratio_to_glsl];
+        let figures = optional.into_iter().chain([vectors_per_s, bytes_per_s, copy_bytes_per_s].map(Some));
+        let figures = figures.map(|figure| figure.map_or_else(String::new, |figure| figure.to_string()));
+        let names = [row.id.clone(), row.operation.to_string(), row.source.to_string()];
+        Some(names.into_iter().chain(figures).collect())
+    });
+    std::iter::once(titles).chain(rows).collect()
+}
+
 /// The arithmetic of both operations as multiples of `oct32`'s, and the kernels' part of the copy's speed.
 fn markdown(report: &Report) -> String {
-    let device = &report.device;
+    let (device, count) = (&report.device, report.count.unwrap_or_default());
+    let repetitions = report.repetitions.unwrap_or_default();
     let mut text = format!(
         "{}, {}, Vulkan {}; {} vectors, {} times each.\n\n\
          | codec | bits | bound of the error, degrees | encode / oct32 | decode / oct32 | encode: rust / glsl | \
          decode: rust / glsl | encode, % of copy | decode, % of copy |\n|---|---|---|---|---|---|---|---|---|\n",
-        device.name, device.driver, device.api_version, report.count, report.repetitions
+        device.name, device.driver, device.api_version, count, repetitions
     );
-    for encode in of_rust(report, Operation::Encode) {
-        let Some(decode) = of_rust(report, Operation::Decode).find(|row| row.id == encode.id) else {
-            continue;
+    let source = report.main_source();
+    for id in codecs(report) {
+        let of = |operation| {
+            let rust = find(&report.rows, id, operation, Source::Rust)?;
+            Some((rust, find(&report.rows, id, operation, source)?.ratio_to_oct32))
         };
-        let of_copy = |row: &Row| 100.0 * row.bytes_per_s / row.copy_bytes_per_s;
+        let [Some((encode, to_encode)), Some((decode, to_decode))] = Operation::ALL.map(of) else { continue };
         // Writing to a String cannot fail.
         let _ = writeln!(
             text,
-            "| `{}` | {} | {} | {} | {} | {} | {} | {:.0} | {:.0} |",
-            encode.id,
-            encode.bits,
-            bound(encode.id),
-            number(ratio_to_oct32(report, encode), 1),
-            number(ratio_to_oct32(report, decode), 1),
-            number(encode.alu_ratio_to_glsl, 2),
-            number(decode.alu_ratio_to_glsl, 2),
-            of_copy(encode),
-            of_copy(decode),
+            "| `{id}` | {} | {} | {} | {} | {} | {} | {:.0} | {:.0} |",
+            catalogue::find(id).map_or(0, |codec| codec.bits),
+            bound(id),
+            number(to_encode, 1),
+            number(to_decode, 1),
+            number(encode.ratio_to_glsl, 2),
+            number(decode.ratio_to_glsl, 2),
+            encode.of_copy(),
+            decode.of_copy(),
         );
     }
     text
 }
 
-fn of_rust(report: &Report, operation: Operation) -> impl Iterator<Item = &Row> {
-    let is_wanted =
-        move |row: &&Row| row.operation == operation && row.backend == BackendKind::Rust && !row.by_table;
-    report.rows.iter().filter(is_wanted)
-}
-
-/// Of SPIR-V from Rust or, where that is not measured, from GLSL.
-fn ratio_to_oct32(report: &Report, row: &Row) -> Option<f64> {
-    let alike = report.rows.iter().filter(|other| (other.id, other.operation) == (row.id, row.operation));
-    row.alu_ratio_to_oct32.or_else(|| alike.filter_map(|other| other.alu_ratio_to_oct32).next())
+fn codecs(report: &Report) -> impl Iterator<Item = &str> {
+    let is_first = |row: &&Row| (row.source, row.operation) == (Source::Rust, Operation::Encode);
+    report.rows.iter().filter(is_first).map(|row| row.id.as_str())
 }
 
 /// Of a frame, its normal's and its tangent's.
@@ -243,14 +259,13 @@ fn fitting(value: Option<f64>, digits: usize, width: usize) -> String {
 
 /// Where SPIR-V from Rust costs more than that from GLSL.
 fn summary(report: &Report) -> String {
-    let slower: Vec<String> = report
-        .rows
-        .iter()
-        .filter_map(|row| Some((row, row.alu_ratio_to_glsl.filter(|ratio| *ratio > 1.05)?)))
+    let ratios = || report.rows.iter().filter_map(|row| Some((row, report.ratio_to_glsl(row)?)));
+    let slower: Vec<String> = ratios()
+        .filter(|(_, ratio)| *ratio > 1.05)
         .map(|(row, ratio)| format!("{} {} {ratio:.2}", row.id, row.operation))
         .collect();
-    let codecs = counted(of_rust(report, Operation::Encode).count() as u64, "codecs");
-    if report.rows.iter().all(|row| row.alu_ratio_to_glsl.is_none()) {
+    let codecs = counted(codecs(report).count() as u64, "codecs");
+    if ratios().next().is_none() {
         return format!("\nbench: {codecs}\n");
     }
     let verdict = if slower.is_empty() { "none".to_owned() } else { slower.join(", ") };

@@ -1,6 +1,6 @@
 //! `unitvec bench compiler`.
 
-use super::bench::Measured;
+use super::bench::Reported;
 use super::run::{CODECS_LEFT, Live, Screen};
 use super::table::{Column, left, right};
 use super::{counted, number, variable, write_chart};
@@ -36,7 +36,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     chart: Option<PathBuf>,
     #[command(flatten)]
-    measured: Measured,
+    reported: Reported,
 }
 
 impl Arguments {
@@ -49,7 +49,7 @@ impl Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
-    let (measured, run) = (&arguments.measured, &arguments.measured.run);
+    let (reported, run) = (&arguments.reported, &arguments.reported.run);
     // It says so before another process begins.
     glsl::Compiler::new()?;
     let gpu = arguments.gpu.as_deref();
@@ -69,7 +69,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
             return Ok(stand_in.run()?);
         }
     }
-    let is_quiet = measured.outputs.take_stdout(&run.json)?;
+    let is_quiet = reported.outputs.take_stdout(&run.json)?;
     let chosen = run.formats()?;
     let live = Live::new(Some(chosen.len() as u64), CODECS_LEFT, is_quiet);
     let mut screen = Screen::new(columns(arguments.kernel), &run.wide, live)?;
@@ -84,16 +84,17 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     };
     screen.finish(messages);
 
-    measured.write(&report.rows, &report.to_json(), &markdown(&report))?;
+    let titles = columns(report.kernel).iter().map(Column::title).collect();
+    let rows = report.rows.iter().map(|row| cells(&report, row));
+    let table: Vec<Vec<String>> = std::iter::once(titles).chain(rows).collect();
+    reported.write(&table, &report.to_json(), &markdown(&report, &table))?;
     if let Some(path) = &arguments.chart {
         write_chart(path, pareto::svg(&report))?;
     }
     screen.head(&legend(&report))?;
-    let line = |row| {
-        let cells = cells(&report, row);
-        screen.line(&cells.iter().map(|cell| cell as &dyn Display).collect::<Vec<_>>())
-    };
-    screen.live.print(|| report.rows.iter().map(line).collect())?;
+    let line =
+        |cells: &Vec<String>| screen.line(&cells.iter().map(|cell| cell as &dyn Display).collect::<Vec<_>>());
+    screen.live.print(|| table[1..].iter().map(line).collect())?;
     screen.end(&summary(&report))
 }
 
@@ -104,7 +105,7 @@ fn asked(
     chosen: &[&'static AnyCodec],
     done: impl Fn(&'static AnyCodec) + Sync,
 ) -> Result<(Report, Vec<String>)> {
-    let vulkan = &arguments.measured.run.vulkan;
+    let vulkan = &arguments.reported.run.vulkan;
     let instance = vulkan.instance()?;
     let inspector = Inspector::open(&instance, &vulkan.choice())?;
     let report = isa::measure(&inspector, modules, chosen, arguments.kernel, done)?;
@@ -123,7 +124,7 @@ fn legend(report: &Report) -> String {
              multiples of those of oct32's kernel, of the codec's own, from GLSL\n\
              width: invocations that an instruction serves; classes: instructions by the driver's words, nothing subtracted\n"
         }
-        KernelKind::Four => {
+        _ => {
             "T: inverse throughput, cycles of a compute unit's busiest part for 64 invocations of four vectors; / oct32: T as a \
              multiple of that of oct32's kernel from GLSL\n\
              vector / v: vector instructions a vector; / glsl: instructions as a multiple of those of the kernel from GLSL\n"
@@ -148,7 +149,7 @@ fn columns(kernel: KernelKind) -> Vec<Column> {
             right("bytes", 6).rank(5),
             left("classes", 48).rank(6),
         ],
-        KernelKind::Four => vec![
+        _ => vec![
             right("T", 5),
             right("/\noct32", 5).rank(1),
             right("vector\n/ v", 6).rank(3),
@@ -176,7 +177,7 @@ fn cells(report: &Report, row: &Row) -> Vec<String> {
             let [spills, width] = [row.spills, row.width].map(integer);
             vec![beyond, to_oct32, to_glsl, registers, spills, width, bytes, classes.join(", ")]
         }
-        KernelKind::Four => {
+        _ => {
             let [throughput, instructions, latency] =
                 [row.inverse_throughput, row.instructions, row.latency].map(integer);
             let vector = number(row.vector_instructions, 1);
@@ -186,19 +187,14 @@ fn cells(report: &Report, row: &Row) -> Vec<String> {
     cells
 }
 
-fn markdown(report: &Report) -> String {
-    let columns = columns(report.kernel);
-    let titles: Vec<String> = columns.iter().map(Column::title).collect();
-    let mut text = format!(
-        "{}, {}.\n\n| {} |\n|{}\n",
-        report.device.name,
-        report.device.driver,
-        titles.join(" | "),
-        "---|".repeat(titles.len())
-    );
-    for row in &report.rows {
+fn markdown(report: &Report, table: &[Vec<String>]) -> String {
+    let mut text = format!("{}, {}.\n\n", report.device.name, report.device.driver);
+    for (at, cells) in table.iter().enumerate() {
         // Writing to a String cannot fail.
-        let _ = writeln!(text, "| {} |", cells(report, row).join(" | "));
+        let _ = writeln!(text, "| {} |", cells.join(" | "));
+        if at == 0 {
+            let _ = writeln!(text, "|{}", "---|".repeat(cells.len()));
+        }
     }
     text
 }

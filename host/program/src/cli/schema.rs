@@ -33,9 +33,9 @@ const SCHEMAS: &[Described] = &[
     #[cfg(feature = "lab")]
     ("accuracy", of::<super::accuracy::Report>),
     #[cfg(feature = "lab")]
-    ("bench", of::<unitvec_lab::bench::Report>),
+    ("bench", of::<unitvec_choose::costs::Report>),
     #[cfg(feature = "lab")]
-    ("bench device", of::<unitvec_lab::bench::Report>),
+    ("bench device", of::<unitvec_choose::costs::Report>),
     #[cfg(feature = "lab")]
     ("bench compiler", of::<unitvec_choose::costs::Report>),
     ("conform", of::<conform::Report>),
