@@ -2,7 +2,7 @@
 
 use super::tables::is_shown;
 use super::{compare, markdown_table};
-use crate::isa::gpus::{COUNTED, ratio, row};
+use crate::isa::gpus::{COUNTED, ratio, row, rust_to_exact};
 use crate::isa::{committed, stages};
 use std::path::Path;
 use std::sync::LazyLock;
@@ -174,6 +174,25 @@ pub fn order() -> String {
         format!("{} | {encode} | {decode}", find_gpu(gpu).unwrap().title)
     });
     markdown_table("GPU | encode | decode", rows)
+}
+
+/// The kernels from Rust beside those of the exact edition, from the least ratio of instructions to the largest; encoders by
+/// table, which Rust's are not, are left out.
+pub fn rust() -> String {
+    let rows = COUNTED.iter().filter(|(gpu, _)| SHOWN.contains(&gpu.name)).map(|(gpu, report)| {
+        let of = |operation| {
+            let by_table = |codec: &&AnyCodec| codec.encodes_by_table && operation == Operation::Encode;
+            let ratio = |codec: &AnyCodec| Some((codec.id, rust_to_exact(report, codec.id, operation)?));
+            let mut ratios: Vec<(&str, f64)> =
+                CODECS.iter().filter(|codec| !by_table(codec)).filter_map(ratio).collect();
+            ratios.sort_by(|a, b| a.1.total_cmp(&b.1));
+            let (last, (id, most)) = (ratios.len() - 1, ratios[ratios.len() - 1]);
+            format!("{:.2}, {:.2}, {most:.2} (`{id}`)", ratios[0].1, ratios[last / 2].1)
+        };
+        let [encode, decode] = Operation::ALL.map(of);
+        format!("{} | {encode} | {decode}", gpu.title)
+    });
+    markdown_table("GPU | encode: least, median, most | decode: least, median, most", rows)
 }
 
 /// The compilers of the counts.

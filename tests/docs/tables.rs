@@ -42,6 +42,7 @@ pub fn table(name: &str) -> Option<String> {
         "costs-gpus" => costs::gpus(rest),
         "costs-order" => costs::order(),
         "costs-counters" => costs::counters(),
+        "costs-rust" => costs::rust(),
         "costs-devices" => costs::devices(),
         "costs-compilers" => costs::compilers(),
         "costs-exact" => costs::exact(),

@@ -185,7 +185,8 @@ impl Generation {
 )]
 #[serde(rename_all = "lowercase")]
 pub enum Source {
-    /// Rust: the SPIR-V that ships, with the device's own division and square root.
+    /// Rust: the SPIR-V that ships, with the device's own division and square root; in kernels of one element the functions
+    /// that shaders link, which are exact.
     Rust,
     /// The exact edition, which puts the device's division and square root right: Rust's SPIR-V as it ships, or GLSL in
     /// kernels of one element.

@@ -18,6 +18,9 @@ pub enum Error {
     /// A compiler for a GPU cannot be had.
     #[error(transparent)]
     StandIn(#[from] stand_in::Error),
+    /// A kernel cannot be linked with the functions from Rust.
+    #[error("kernels from Rust are linked, and cannot be: {0}")]
+    Link(#[from] unitvec_link::Error),
     /// There are no kernels to run on imprecise devices.
     #[error("no kernels to rewrite: give some source of kernels")]
     NoKernels,

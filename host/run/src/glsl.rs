@@ -84,10 +84,18 @@ static KERNELS: LazyLock<Mutex<Modules>> = LazyLock::new(Mutex::default);
 /// SPIR-V by codec, operation and edition.
 type Modules = HashMap<(&'static str, Operation, Edition), Vec<u8>>;
 
+/// The work of the optimiser.
+#[derive(Clone, Copy)]
+enum Optimisation {
+    None,
+    Performance,
+}
+
 /// A GLSL compiler.
 pub struct Compiler {
     glslang: Glslang,
     edition: Edition,
+    optimisation: Optimisation,
 }
 
 impl Compiler {
@@ -104,7 +112,13 @@ impl Compiler {
     /// # Errors
     /// [`Error::NotBuiltIn`] or [`Error::NoCompiler`].
     pub fn of(edition: Edition) -> Result<Self, Error> {
-        Ok(Self { glslang: Glslang::new()?, edition })
+        Ok(Self { glslang: Glslang::new()?, edition, optimisation: Optimisation::Performance })
+    }
+
+    /// The same compiler without its optimiser: functions keep their names, and calls stay.
+    #[must_use]
+    pub fn unoptimised(self) -> Self {
+        Self { optimisation: Optimisation::None, ..self }
     }
 
     /// The SPIR-V of a codec's kernel, optimised; its entry point is [`ENTRY_POINT`]. A process compiles each kernel once.
@@ -191,7 +205,7 @@ impl Compiler {
     pub fn compile_shader(&self, shader: Shader<'_>, macros: &[(String, String)]) -> Result<Vec<u8>, String> {
         let exact = (self.edition == Edition::Exact).then(|| (EXACT.to_owned(), String::new()));
         let macros: Vec<_> = macros.iter().cloned().chain(exact).collect();
-        self.glslang.compile(SourceLanguage::Glsl, &shader, &macros)
+        self.glslang.compile(SourceLanguage::Glsl, &shader, &macros, self.optimisation)
     }
 
     /// Compiles a compute shader in HLSL, whose entry point is [`ENTRY_POINT`].
@@ -200,7 +214,7 @@ impl Compiler {
     /// glslang's.
     pub fn compile_hlsl(&self, file: &str, text: &str) -> Result<Vec<u8>, String> {
         let shader = Shader { stage: Stage::Compute, file, text, beside: |_| None };
-        self.glslang.compile(SourceLanguage::Hlsl, &shader, &[])
+        self.glslang.compile(SourceLanguage::Hlsl, &shader, &[], self.optimisation)
     }
 }
 

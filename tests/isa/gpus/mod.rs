@@ -42,13 +42,19 @@ pub fn ratio(report: &Report, id: &str, operation: Operation) -> Option<f64> {
     report.ratio_to_oct32(report.row(id, operation, Source::Glsl)?)
 }
 
-/// Every kernel has a count on every GPU, of both editions and of the textbook's.
+/// The instructions of a codec's kernel from Rust as a multiple of those of the exact edition, which does the same.
+pub fn rust_to_exact(report: &Report, id: &str, operation: Operation) -> Option<f64> {
+    let count = |source| report.beyond_idle(report.row(id, operation, source)?);
+    Some(count(Source::Rust)? / count(Source::Exact)?)
+}
+
+/// Every kernel has a count on every GPU, from Rust, of both editions and of the textbook's.
 #[test]
 fn counts_are_complete() {
     for (gpu, report) in COUNTED.iter() {
         assert_eq!(report.kernel, KernelKind::One, "{}", gpu.name);
         for (format, operation) in kernels() {
-            for source in [Source::Glsl, Source::Exact] {
+            for source in [Source::Rust, Source::Glsl, Source::Exact] {
                 let count = report.row(format.id, operation, source).and_then(|row| report.beyond_idle(row));
                 assert!(count.is_some(), "{} {operation} {source} on {}", format.id, gpu.name);
             }

@@ -196,7 +196,12 @@ fn sources(
     }
     if kernel == KernelKind::One {
         sources.retain(|path, _| !path.contains("/kernels/"));
-        sources.insert("host/lab/src/isa/one.comp".to_owned(), half(&sha256_hex(one::KERNEL.as_bytes())));
+        let library = unitvec_shaders::spirv(unitvec_link::LIBRARY).unwrap_or_default();
+        for (path, text) in
+            [("host/lab/src/isa/one.comp", one::KERNEL.as_bytes()), ("spirv/unitvec.spv", library)]
+        {
+            sources.insert(path.to_owned(), half(&sha256_hex(text)));
+        }
         return Ok(sources);
     }
     for module in &modules.manifest().modules {

@@ -1,7 +1,8 @@
 // Encodes or decodes one element an invocation, with aligned reads and writes and no branch, so that a compiler's count of
 // its instructions is the codec's, once that of the same kernel without a codec is subtracted. Macros for the compiler:
 // those of glsl/kernels/encode.comp and decode.comp; IDLE for the kernel without a codec, which adds the components that
-// it reads. Another text stands before this one, with the include of the codec's family.
+// it reads; LINKED for the functions of spirv/unitvec.spv. Another text stands before this one, with the include of the
+// codec's family or with stubs.
 
 layout(local_size_x = 64) in;
 
@@ -58,6 +59,9 @@ Value value(CODE code) {
 #else
     return Value(v);
 #endif
+#elif defined(FRAME) && defined(LINKED)
+    UnitvecFrame frame = DECODE(code);
+    return Value(vec4(frame.normal, 0.0), frame.tangent);
 #elif defined(FRAME)
     vec3 v;
     vec4 tangent;

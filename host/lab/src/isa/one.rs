@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use unitvec_catalogue::{AnyCodec, Operation};
 use unitvec_choose::costs::{Row, Source, shape};
 use unitvec_languages::Edition;
+use unitvec_link::{Signature, stubs};
 use unitvec_run::glsl::{self, Compiler};
 use unitvec_vulkan::{Division, Statistics};
 
@@ -36,6 +37,7 @@ pub fn of_codec(format: &AnyCodec) -> Result<Vec<Kernel>> {
                 Some(textbook.id),
             )
         });
+        kernels.push(linked(format, operation)?);
         for (source, compiler, file, function, textbook) in own.into_iter().chain(textbooks) {
             let module = module(compiler, format, operation, (file, &function), source)?;
             let row = Row { textbook: textbook.map(str::to_owned), ..Row::new(format.id, operation, source) };
@@ -43,6 +45,17 @@ pub fn of_codec(format: &AnyCodec) -> Result<Vec<Kernel>> {
         }
     }
     Ok(kernels)
+}
+
+/// The kernel of the function from Rust, of the library that shaders link.
+fn linked(format: &AnyCodec, operation: Operation) -> Result<Kernel> {
+    let compiler = Compiler::new()?.unoptimised();
+    let function = Signature::of(format, operation).name;
+    let mut macros = glsl::macros(format, operation, &function);
+    macros.push(("LINKED".to_owned(), "1".to_owned()));
+    let text = format!("#version 450\n{}{KERNEL}", stubs::text(stubs::Language::Glsl));
+    let module = unitvec_link::link(&compiled(&compiler, &function, &text, &macros)?)?;
+    Ok(Kernel { row: Row::new(format.id, operation, Source::Rust), module })
 }
 
 /// The kernels without a codec, one for each [`shape`] of these and operation.
@@ -79,7 +92,11 @@ fn module(
     if source == Source::Idle {
         macros.push(("IDLE".to_owned(), "1".to_owned()));
     }
-    let compiled = compiler.compile("kernels/one.comp", &text, &macros);
+    compiled(compiler, function, &text, &macros)
+}
+
+fn compiled(compiler: &Compiler, function: &str, text: &str, macros: &[(String, String)]) -> Result<Vec<u8>> {
+    let compiled = compiler.compile("kernels/one.comp", text, macros);
     Ok(compiled.map_err(|error| glsl::Error::Rejected {
         file: "host/lab/src/isa/one.comp".to_owned(),
         kernel: function.to_owned(),

@@ -1,6 +1,6 @@
 //! glslang through shaderc.
 
-use super::{ENTRY_POINT, Error, Shader, SourceLanguage, Stage, source};
+use super::{ENTRY_POINT, Error, Optimisation, Shader, SourceLanguage, Stage, source};
 use shaderc::{
     CompileOptions, EnvVersion, IncludeType, OptimizationLevel, ResolvedInclude, ShaderKind, TargetEnv,
 };
@@ -21,6 +21,7 @@ impl Glslang {
         language: SourceLanguage,
         &Shader { stage, file, text, beside }: &Shader<'_>,
         macros: &[(String, String)],
+        optimisation: Optimisation,
     ) -> Result<Vec<u8>, String> {
         let kind = match stage {
             Stage::Compute => ShaderKind::Compute,
@@ -30,7 +31,10 @@ impl Glslang {
         let compile = || {
             let mut options = CompileOptions::new()?;
             options.set_target_env(TargetEnv::Vulkan, EnvVersion::Vulkan1_1 as u32);
-            options.set_optimization_level(OptimizationLevel::Performance);
+            options.set_optimization_level(match optimisation {
+                Optimisation::None => OptimizationLevel::Zero,
+                Optimisation::Performance => OptimizationLevel::Performance,
+            });
             options.set_source_language(match language {
                 SourceLanguage::Glsl => shaderc::SourceLanguage::GLSL,
                 SourceLanguage::Hlsl => shaderc::SourceLanguage::HLSL,

@@ -1,6 +1,6 @@
 //! Stub for builds without the feature `glsl`: `new` always fails.
 
-use super::{Error, Shader, SourceLanguage};
+use super::{Error, Optimisation, Shader, SourceLanguage};
 use std::convert::Infallible;
 
 pub struct Glslang(Infallible);
@@ -15,6 +15,7 @@ impl Glslang {
         _: SourceLanguage,
         _: &Shader<'_>,
         _: &[(String, String)],
+        _: Optimisation,
     ) -> Result<Vec<u8>, String> {
         match self.0 {}
     }
