@@ -99,7 +99,7 @@ pub fn table(rows: &str) -> String {
             pair(2, |operation| rdna2().ratio_to_glsl(rdna2().row(id, operation, Source::Rust)?)),
         ]);
         cells.extend(
-            REPORTS.iter().map(|report| pair(0, |operation| Some(times(report, id, operation)?.of_copy()))),
+            REPORTS.iter().map(|report| pair(0, |operation| times(report, id, operation)?.of_copy())),
         );
         format!("`{id}` | {}", cells.join(" | "))
     });

@@ -288,7 +288,7 @@ pub struct Row {
     pub times: Option<Box<Times>>,
 }
 
-/// Times of one kernel, medians over the dispatches.
+/// Times of one kernel, medians over the dispatches. Speeds are null where the device's clock shows no time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Times {
     /// Nanoseconds of arithmetic a vector, less the baseline's.
@@ -300,17 +300,17 @@ pub struct Times {
     /// For SPIR-V from Rust, the ratio to SPIR-V from GLSL, measured beside it.
     pub ratio_to_glsl: Option<f64>,
     /// Vectors that the shipped kernel takes in a second.
-    pub vectors_per_s: f64,
+    pub vectors_per_s: Option<f64>,
     /// Bytes that the shipped kernel reads and writes in a second.
-    pub bytes_per_s: f64,
+    pub bytes_per_s: Option<f64>,
     /// Bytes that a kernel which copies as many reads and writes in a second.
-    pub copy_bytes_per_s: f64,
+    pub copy_bytes_per_s: Option<f64>,
 }
 
 impl Times {
     /// The shipped kernel's speed in per cent of that of a copy.
-    pub fn of_copy(&self) -> f64 {
-        100.0 * self.bytes_per_s / self.copy_bytes_per_s
+    pub fn of_copy(&self) -> Option<f64> {
+        Some(100.0 * self.bytes_per_s? / self.copy_bytes_per_s?)
     }
 }
 

@@ -124,9 +124,9 @@ impl Bench {
                     spread_ns: costs.map(|costs| spread(&costs.codec)),
                     ratio_to_oct32: costs.map(|costs| ratio(&costs.codec, &costs.reference)),
                     ratio_to_glsl: to_glsl.filter(|_| source == Source::Rust),
-                    vectors_per_s,
-                    bytes_per_s: vectors_per_s * traffic,
-                    copy_bytes_per_s: copy * traffic,
+                    vectors_per_s: finite(vectors_per_s),
+                    bytes_per_s: finite(vectors_per_s * traffic),
+                    copy_bytes_per_s: finite(copy * traffic),
                 };
                 rows.push(Row { times: Some(Box::new(times)), ..Row::new(format.id, operation, source) });
             }
@@ -277,6 +277,10 @@ fn alternating(sample: usize, n: usize) -> impl Iterator<Item = usize> {
 fn no_timestamps(runner: &Runner) -> vulkan::Error {
     let device = runner.device().info().name.clone();
     vulkan::Error::MissingFeature { device, feature: "timestamps on its compute queue" }
+}
+
+fn finite(speed: f64) -> Option<f64> {
+    speed.is_finite().then_some(speed)
 }
 
 /// The median: the mean of the two in the middle for an even number.

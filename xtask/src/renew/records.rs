@@ -233,7 +233,7 @@ pub static RECORDS: &[Record] = &[
                 "glsl/textbook/* tests/isa/dithered/kernel.comp tests/isa/stages/*.rs host/lab/src/isa/one* host/lab/src/isa/kernel.cuh host/lab/src/isa/cuda.rs host/lab/src/isa/nvidia.rs xtask/src/compilers.rs",
             )],
         ],
-        minutes: 12,
+        minutes: 20,
         needs: "Debian 12 on amd64, for RADV of Mesa 22.3; it builds Mesa 25.0 and fetches CUDA's compiler",
         renew: || {
             // Any RADV that knows the newest generations serves; without one named, that of Debian's backports is fetched.

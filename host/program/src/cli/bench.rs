@@ -166,7 +166,7 @@ fn lines(screen: &Screen, id: &str, rows: &[Row]) -> String {
         let (Some(rust), Some(glsl)) = (of(Source::Rust), of(Source::Glsl)) else {
             continue;
         };
-        let by_table = of(Source::Table).map(|times| times.vectors_per_s / 1e6);
+        let millions = |times: &Times| times.vectors_per_s.map(|speed| speed / 1e6);
         text += &screen.line(&[
             &id,
             &operation.to_string(),
@@ -177,10 +177,10 @@ fn lines(screen: &Screen, id: &str, rows: &[Row]) -> String {
             &fitting(rust.ratio_to_glsl, 3, 6),
             &fitting(rust.ratio_to_oct32.or(glsl.ratio_to_oct32), 2, 7),
             &fitting(survey_ns(id, operation), 4, 7),
-            &fitting(Some(rust.vectors_per_s / 1e6), 1, 8),
-            &fitting(Some(glsl.vectors_per_s / 1e6), 1, 8),
-            &format_args!("{:.0}", rust.of_copy()),
-            &fitting(by_table, 1, 7),
+            &fitting(millions(rust), 1, 8),
+            &fitting(millions(glsl), 1, 8),
+            &number(rust.of_copy(), 0),
+            &fitting(of(Source::Table).and_then(millions), 1, 7),
         ]);
     }
     text
@@ -195,8 +195,8 @@ fn table(report: &Report) -> Vec<Vec<String>> {
         let times = row.times.as_deref()?;
         let Times { ns_per_vector, spread_ns, ratio_to_oct32, ratio_to_glsl, .. } = *times;
         let Times { vectors_per_s, bytes_per_s, copy_bytes_per_s, .. } = *times;
-        let optional = [ns_per_vector, spread_ns, ratio_to_oct32, ratio_to_glsl];
-        let figures = optional.into_iter().chain([vectors_per_s, bytes_per_s, copy_bytes_per_s].map(Some));
+        let speeds = [vectors_per_s, bytes_per_s, copy_bytes_per_s];
+        let figures = [ns_per_vector, spread_ns, ratio_to_oct32, ratio_to_glsl].into_iter().chain(speeds);
         let figures = figures.map(|figure| figure.map_or_else(String::new, |figure| figure.to_string()));
         let names = [row.id.clone(), row.operation.to_string(), row.source.to_string()];
         Some(names.into_iter().chain(figures).collect())
@@ -224,15 +224,15 @@ fn markdown(report: &Report) -> String {
         // Writing to a String cannot fail.
         let _ = writeln!(
             text,
-            "| `{id}` | {} | {} | {} | {} | {} | {} | {:.0} | {:.0} |",
+            "| `{id}` | {} | {} | {} | {} | {} | {} | {} | {} |",
             catalogue::find(id).map_or(0, |codec| codec.bits),
             bound(id),
             number(to_encode, 1),
             number(to_decode, 1),
             number(encode.ratio_to_glsl, 2),
             number(decode.ratio_to_glsl, 2),
-            encode.of_copy(),
-            decode.of_copy(),
+            number(encode.of_copy(), 0),
+            number(decode.of_copy(), 0),
         );
     }
     text
