@@ -67,7 +67,8 @@ fn build(folder: &Path, interpreter: &Path) -> Result<String, String> {
     println!("xtask: builds the wheel from {archive}");
     let mut wheel = Command::new(&pip);
     wheel.args(["-q", "wheel", "--no-deps", "--wheel-dir"]).arg(&archives).arg(archive);
-    wheel.env("CARGO_TARGET_DIR", folder.join("cargo")).current_dir(env::temp_dir());
+    // Anew: cargo goes by the times of files, and those of an archive are always the same.
+    wheel.env("CARGO_TARGET_DIR", emptied(folder.join("cargo"))?).current_dir(env::temp_dir());
     run_command(&mut wheel)?;
     only(&archives, "whl")
 }
