@@ -8,7 +8,7 @@ use std::path::Path;
 use std::sync::LazyLock;
 use unitvec_catalogue::{AnyCodec, CODECS, Operation};
 use unitvec_choose::MEASURED;
-use unitvec_choose::costs::{GENERATIONS, Generation, Report, Row, Source, Times, find_gpu};
+use unitvec_choose::costs::{GENERATIONS, Generation, Gpu, Report, Row, Source, Times, find_gpu};
 use unitvec_lab::isa::pareto;
 use unitvec_lab::textbook::TEXTBOOK;
 use unitvec_tests::repository;
@@ -129,11 +129,15 @@ pub fn vector_instructions(id: &str, operation: Operation) -> Option<f64> {
 const SHOWN: [&str; 10] =
     ["navi21", "gfx1201", "tgl", "dg2", "sm_75", "sm_86", "a730", "g52", "g610", "v3d42"];
 
+fn shown() -> impl Iterator<Item = &'static (&'static Gpu, Report)> {
+    COUNTED.iter().filter(|(gpu, _)| SHOWN.contains(&gpu.name))
+}
+
 /// Costs of both operations on GPUs of all makers, as multiples of `oct32`'s: of the recommended codecs with the textbook's
 /// functions on some, or of all codecs on all.
 pub fn gpus(rows: &str) -> String {
     let is_all = rows != "recommended";
-    let shown: Vec<_> = COUNTED.iter().filter(|(gpu, _)| is_all || SHOWN.contains(&gpu.name)).collect();
+    let shown: Vec<_> = if is_all { COUNTED.iter().collect() } else { shown().collect() };
     let titles: Vec<&str> = shown.iter().map(|(gpu, _)| gpu.title).collect();
     let line = |name: &str, source, id: &str, textbook: Option<&str>| {
         let of =
@@ -179,7 +183,7 @@ pub fn order() -> String {
 /// The kernels from Rust beside those of the exact edition, from the least ratio of instructions to the largest; encoders by
 /// table, which Rust's are not, are left out.
 pub fn rust() -> String {
-    let rows = COUNTED.iter().filter(|(gpu, _)| SHOWN.contains(&gpu.name)).map(|(gpu, report)| {
+    let rows = shown().map(|(gpu, report)| {
         let of = |operation| {
             let by_table = |codec: &&AnyCodec| codec.encodes_by_table && operation == Operation::Encode;
             let ratio = |codec: &AnyCodec| Some((codec.id, rust_to_exact(report, codec.id, operation)?));

@@ -383,7 +383,7 @@ impl Report {
 
     /// The row of a kernel; the first row of textbooks' kernels for one codec.
     pub fn row(&self, id: &str, operation: Operation, source: Source) -> Option<&Row> {
-        self.rows.iter().find(|row| (row.id.as_str(), row.operation, row.source) == (id, operation, source))
+        find_row(&self.rows, id, operation, source)
     }
 
     /// The cost of a kernel: inverse throughput, of kernels of one element instructions [beyond idle](Self::beyond_idle), of
@@ -435,6 +435,11 @@ impl Report {
     fn ratio(&self, row: &Row, id: &str, figure: impl Fn(&Row) -> Option<f64>) -> Option<f64> {
         Some(figure(row)? / figure(self.row(id, row.operation, Source::Glsl)?)?)
     }
+}
+
+/// The first of these rows of a codec, an operation and a source.
+pub fn find_row<'a>(rows: &'a [Row], id: &str, operation: Operation, source: Source) -> Option<&'a Row> {
+    rows.iter().find(|row| (row.id.as_str(), row.operation, row.source) == (id, operation, source))
 }
 
 /// The kind of element, and the bits of code, that a kernel of one element reads and writes: `vector32`.

@@ -12,6 +12,7 @@
 //! ```
 
 use super::octahedral::{Lattice, Layout};
+use super::quaternion::largest;
 use super::{UnknownFormat, around, joined, nearest_of, parted, usable};
 use crate::Frame;
 use crate::arith::{atan2_half_turns, is_negative, mask, nearest_pair, sin_cos_half_turns, snorm_max};
@@ -273,7 +274,7 @@ impl Start {
                 (exchanged(first), exchanged(z.cross(first)))
             }
             Self::Frostbite => {
-                let axis = largest(n);
+                let axis = largest(n.to_array().map(f64::from), &[0, 1, 2]);
                 let sign = if n[axis] < 0.0 { -1.0 } else { 1.0 };
                 let along = [Vec3::Z * sign, Vec3::X * sign, Vec3::X * -sign][axis];
                 let first = (along - n * n.dot(along)).normalize();
@@ -316,18 +317,6 @@ impl Start {
         let (first, second) = self.plane(n);
         let turn = sin_cos_half_turns(2.0 * angle as f32 / self.steps(bits) as f32);
         (first * turn.x + second * turn.y).normalize()
-    }
-}
-
-/// The place of the largest component, the first of equals.
-fn largest(v: Vec3) -> usize {
-    let a = v.abs();
-    if a.x >= a.y && a.x >= a.z {
-        0
-    } else if a.y >= a.z {
-        1
-    } else {
-        2
     }
 }
 

@@ -1,6 +1,6 @@
 //! The nearest point of a lattice to a ray, of those whose length glTF's validator takes for 1: normals and rotations.
 
-use super::quaternion::{length, parts, points};
+use super::quaternion::{largest, length, parts, points};
 
 /// A search of `N` components. The points of a slice have the same number for the ray's largest component.
 pub(super) struct Nearest<const N: usize> {
@@ -21,7 +21,7 @@ pub(super) struct Nearest<const N: usize> {
 
 impl<const N: usize> Nearest<N> {
     pub(super) fn new(ray: [f64; N], most: f64, valid: f64, found: [i32; N]) -> Self {
-        let axis = (1..N).fold(0, |best, axis| if ray[axis].abs() > ray[best].abs() { axis } else { best });
+        let axis = largest(ray, &core::array::from_fn::<_, N, _>(|place| place));
         let slopes = ray.map(|c| c / ray[axis].abs());
         Self { ray, slopes, axis, most, valid, square: f64::INFINITY, found }
     }

@@ -1,4 +1,4 @@
-//! Unit quaternions in float64, and the points of a lattice around them.
+//! Unit quaternions and vectors in float64, and the points of a lattice around them.
 
 use crate::arith::mask;
 
@@ -56,8 +56,8 @@ pub(super) fn length<const N: usize>(q: [f64; N]) -> f64 {
 }
 
 /// The place of the largest magnitude, the first of equals in this order.
-pub(super) fn largest(q: [f64; 4], order: &[usize]) -> usize {
-    order.iter().copied().reduce(|a, b| if q[b].abs() > q[a].abs() { b } else { a }).unwrap_or(3)
+pub(super) fn largest<const N: usize>(q: [f64; N], order: &[usize]) -> usize {
+    order.iter().copied().reduce(|a, b| if q[b].abs() > q[a].abs() { b } else { a }).unwrap_or(N - 1)
 }
 
 /// The largest signed number.

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_catalogue as catalogue;
 use unitvec_catalogue::Operation;
-use unitvec_choose::costs::{Report, Row, Source, Times};
+use unitvec_choose::costs::{Report, Row, Source, Times, find_row};
 use unitvec_host::Result;
 use unitvec_lab::bench::{Bench, Options, survey_ns};
 use unitvec_vulkan::{DeviceInfo, DeviceKind};
@@ -155,8 +155,7 @@ fn columns() -> Vec<Column> {
 
 /// The times of a codec's kernel.
 fn find<'a>(rows: &'a [Row], id: &str, operation: Operation, source: Source) -> Option<&'a Times> {
-    let is_it = |row: &&Row| (row.id.as_str(), row.operation, row.source) == (id, operation, source);
-    rows.iter().find(is_it)?.times.as_deref()
+    find_row(rows, id, operation, source)?.times.as_deref()
 }
 
 fn lines(screen: &Screen, id: &str, rows: &[Row]) -> String {

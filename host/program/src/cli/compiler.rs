@@ -84,9 +84,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     };
     screen.finish(messages);
 
-    let titles = columns(report.kernel).iter().map(Column::title).collect();
-    let rows = report.rows.iter().map(|row| cells(&report, row));
-    let table: Vec<Vec<String>> = std::iter::once(titles).chain(rows).collect();
+    let table = table(&report);
     reported.write(&table, &report.to_json(), &markdown(&report, &table))?;
     if let Some(path) = &arguments.chart {
         write_chart(path, pareto::svg(&report))?;
@@ -94,7 +92,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     screen.head(&legend(&report))?;
     let line =
         |cells: &Vec<String>| screen.line(&cells.iter().map(|cell| cell as &dyn Display).collect::<Vec<_>>());
-    screen.live.print(|| table[1..].iter().map(line).collect())?;
+    screen.live.print(|| table.iter().skip(1).map(line).collect())?;
     screen.end(&summary(&report))
 }
 
@@ -187,6 +185,13 @@ fn cells(report: &Report, row: &Row) -> Vec<String> {
     cells
 }
 
+/// The rows under titles.
+fn table(report: &Report) -> Vec<Vec<String>> {
+    let title = |column: &Column| Some(column.title()).filter(|title| !title.is_empty());
+    let titles = columns(report.kernel).iter().map(|one| title(one).unwrap_or("operation".into())).collect();
+    std::iter::once(titles).chain(report.rows.iter().map(|row| cells(report, row))).collect()
+}
+
 fn markdown(report: &Report, table: &[Vec<String>]) -> String {
     let mut text = format!("{}, {}.\n\n", report.device.name, report.device.driver);
     for (at, cells) in table.iter().enumerate() {
@@ -224,4 +229,33 @@ fn summary(report: &Report) -> String {
     format!(
         "\nbench compiler: {codecs}; instructions of SPIR-V from Rust above 1.02 of those from GLSL: {verdict}\n"
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeMap;
+    use unitvec_vulkan::DeviceKind;
+
+    /// Rows make CSV whether a driver tells classes or not.
+    #[test]
+    fn rows_with_classes_are_as_long_as_others() {
+        let device = DeviceInfo {
+            index: 0,
+            name: "a".to_owned(),
+            kind: DeviceKind::Discrete,
+            driver: "b".to_owned(),
+            api_version: "none".to_owned(),
+        };
+        let without = Row::new("oct32", Operation::Encode, Source::Glsl);
+        let classes = BTreeMap::from([("alu".to_owned(), 3), ("send".to_owned(), 2)]);
+        let rows = vec![Row { classes, spills: Some(0), ..without.clone() }, without];
+        let table = table(&Report::new(device, KernelKind::One, rows));
+        assert_eq!(table[0][..3], ["codec", "operation", "source"]);
+        let file = tempfile::NamedTempFile::new().unwrap();
+        super::super::write_separated(file.path(), &table, b',').unwrap();
+        let text = std::fs::read_to_string(file.path()).unwrap();
+        assert_eq!(text.lines().count(), 3);
+        assert!(text.contains("\"alu 3, send 2\""), "{text}");
+    }
 }
