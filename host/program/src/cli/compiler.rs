@@ -252,9 +252,10 @@ mod tests {
         let rows = vec![Row { classes, spills: Some(0), ..without.clone() }, without];
         let table = table(&Report::new(device, KernelKind::One, rows));
         assert_eq!(table[0][..3], ["codec", "operation", "source"]);
-        let file = tempfile::NamedTempFile::new().unwrap();
-        super::super::write_separated(file.path(), &table, b',').unwrap();
-        let text = std::fs::read_to_string(file.path()).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("rows.csv");
+        crate::cli::write_separated(&file, &table, b',').unwrap();
+        let text = std::fs::read_to_string(&file).unwrap();
         assert_eq!(text.lines().count(), 3);
         assert!(text.contains("\"alu 3, send 2\""), "{text}");
     }
