@@ -35,7 +35,7 @@ fn samples_are_the_models_blends() {
     assert!(graphics.fraction_bits() >= 8, "the model's fractions have 8 bits");
     let compiler = Compiler::new().unwrap();
     let shaders = [(Stage::Vertex, VERTEX), (Stage::Fragment, PIXEL)].map(|(stage, text)| {
-        compiler.compile_shader(Shader { stage, file: "filtering", text, beside: |_| None }, &[]).unwrap()
+        compiler.compile_shader(Shader { stage, file: "filtering", text, beside: &|_| None }, &[]).unwrap()
     });
     let mut random = random_codes(11).flat_map(u64::to_le_bytes);
     use ImageFormat as F;

@@ -14,10 +14,10 @@ use std::sync::OnceLock;
 pub fn path() -> &'static Path {
     static PATH: OnceLock<PathBuf> = OnceLock::new();
     let name = format!("unitvec{}", std::env::consts::EXE_SUFFIX);
-    PATH.get_or_init(|| build(&["--package", "unitvec-host", "--bin", "unitvec"]).join(name))
+    PATH.get_or_init(|| build(&["--bin", "unitvec"]).join(name))
 }
 
-/// Builds the package that these arguments name to cargo in the profile of the tests, and returns the output's folder.
+/// Builds what these arguments name to cargo besides the program in the profile of the tests, and returns the output's folder.
 ///
 /// # Panics
 /// If it does not build.
@@ -27,8 +27,9 @@ pub fn build(arguments: &[&str]) -> PathBuf {
     let folder =
         test.ancestors().nth(2).unwrap_or_else(|| panic!("{} has no profile folder", test.display()));
     let mut build = Command::new(env!("CARGO"));
-    // The build includes this package, as `cargo xtask conform` does, so that both builds have the same features.
-    build.args(["build", "--quiet", "--package", "unitvec-tests"]).args(arguments).current_dir(repository());
+    // Every build includes these packages, as that of `cargo xtask conform` does, so that all have the same features.
+    build.args(["build", "--quiet", "--package", "unitvec-tests", "--package", "unitvec-host"]);
+    build.args(arguments).current_dir(repository());
     if cfg!(feature = "glsl") {
         build.args(["--features", "unitvec-tests/glsl"]);
     }

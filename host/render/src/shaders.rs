@@ -39,7 +39,7 @@ pub(crate) fn compile_glsl(
     let path = || format!("host/render/shaders/glsl/{file}");
     let text = glsl(file).ok_or_else(|| unitvec_run::glsl::Error::NoSource { file: path() })?;
     let stage = if file.ends_with(".vert") { Stage::Vertex } else { Stage::Fragment };
-    let shader = Shader { stage, file, text, beside: glsl };
+    let shader = Shader { stage, file, text, beside: &glsl };
     compiler.compile_shader(shader, macros).map_err(|error| unitvec_run::glsl::Error::Rejected {
         file: path(),
         kernel: variant.to_owned(),

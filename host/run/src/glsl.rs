@@ -70,15 +70,17 @@ pub struct Shader<'a> {
     pub file: &'a str,
     /// The shader's text.
     pub text: &'a str,
-    /// Finds the text of an included file that does not lie in `glsl/`.
-    pub beside: fn(&str) -> Option<&'static str>,
+    /// Finds the text of an included file that does not lie in `glsl/`, or another text for one that does.
+    pub beside: &'a dyn Fn(&str) -> Option<&'static str>,
 }
 
 /// Name of the entry point of all GLSL kernels.
 pub const ENTRY_POINT: &str = "main";
 
-/// Kernels of codecs that this process has compiled. glslang takes about a tenth of a second for each, and several devices,
-/// threads and tests want the same ones.
+/// The file that includes all families.
+const ALL: &str = "unitvec/unitvec.glsl";
+
+/// Kernels of codecs that this process has compiled: several devices, threads and tests want the same ones.
 static KERNELS: LazyLock<Mutex<Modules>> = LazyLock::new(Mutex::default);
 
 /// SPIR-V by codec, operation and edition.
@@ -132,7 +134,8 @@ impl Compiler {
             return Ok(module.clone());
         }
         let (file, function) = (format!("{operation}.comp"), format.function(operation));
-        let module = self.kernel_file(&file, &function, &macros(format, operation, &function))?;
+        let module =
+            self.kernel_file(&file, &function, &macros(format, operation, &function), Some(format))?;
         kernels().insert(key, module.clone());
         Ok(module)
     }
@@ -151,7 +154,7 @@ impl Compiler {
     ) -> Result<Vec<u8>, Error> {
         let mut macros = macros(format, operation, function);
         macros.extend(others.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned())));
-        self.kernel_file(&format!("{operation}.comp"), function, &macros)
+        self.kernel_file(&format!("{operation}.comp"), function, &macros, None)
     }
 
     /// The SPIR-V of the kernel that measures a codec's arithmetic; without a codec, the work of these kernels besides it.
@@ -161,7 +164,7 @@ impl Compiler {
     pub fn cost_kernel(&self, format: Option<&AnyCodec>, operation: Operation) -> Result<Vec<u8>, Error> {
         let function = format.map_or_else(|| "baseline".to_owned(), |format| format.function(operation));
         let macros = format.map_or_else(Vec::new, |format| macros(format, operation, &function));
-        self.kernel_file(&format!("{operation}_cost.comp"), &function, &macros)
+        self.kernel_file(&format!("{operation}_cost.comp"), &function, &macros, format)
     }
 
     /// The SPIR-V of a kernel that reads and writes as many bytes as a codec's, and does nothing else.
@@ -169,7 +172,7 @@ impl Compiler {
     /// # Errors
     /// The errors of [`kernel`](Self::kernel).
     pub fn copy_kernel(&self, format: &AnyCodec, operation: Operation) -> Result<Vec<u8>, Error> {
-        self.kernel_file("copy.comp", "copy", &macros(format, operation, "copy"))
+        self.kernel_file("copy.comp", "copy", &macros(format, operation, "copy"), None)
     }
 
     /// The SPIR-V of the kernel that decodes two-byte codes by a table.
@@ -178,12 +181,24 @@ impl Compiler {
     /// The errors of [`kernel`](Self::kernel).
     pub fn decode_by_table(&self) -> Result<Vec<u8>, Error> {
         let macros = [("BYTES".into(), "2".into())];
-        self.kernel_file("decode_by_table.comp", manifest::DECODE_BY_TABLE, &macros)
+        self.kernel_file("decode_by_table.comp", manifest::DECODE_BY_TABLE, &macros, None)
     }
 
-    fn kernel_file(&self, file: &str, kernel: &str, macros: &[(String, String)]) -> Result<Vec<u8>, Error> {
+    /// Compiles a kernel. One of a codec gets its family for the file that includes all of them: glslang spends most of its time
+    /// on reading, and a family is a tenth of the text.
+    fn kernel_file(
+        &self,
+        file: &str,
+        kernel: &str,
+        macros: &[(String, String)],
+        codec: Option<&AnyCodec>,
+    ) -> Result<Vec<u8>, Error> {
         let file = format!("kernels/{file}");
-        self.compile(&file, source(&file)?, macros).map_err(|error| Error::Rejected {
+        let family = codec.map(|codec| format!("unitvec/{}", codec.glsl_file()));
+        let beside =
+            |path: &str| family.as_deref().filter(|_| path == ALL).and_then(|family| source(family).ok());
+        let shader = Shader { stage: Stage::Compute, file: &file, text: source(&file)?, beside: &beside };
+        self.compile_shader(shader, macros).map_err(|error| Error::Rejected {
             file: format!("glsl/{file}"),
             kernel: kernel.to_owned(),
             error,
@@ -195,7 +210,7 @@ impl Compiler {
     /// # Errors
     /// glslang's.
     pub fn compile(&self, file: &str, text: &str, macros: &[(String, String)]) -> Result<Vec<u8>, String> {
-        self.compile_shader(Shader { stage: Stage::Compute, file, text, beside: |_| None }, macros)
+        self.compile_shader(Shader { stage: Stage::Compute, file, text, beside: &|_| None }, macros)
     }
 
     /// Compiles a shader of any stage; the entry point is [`ENTRY_POINT`].
@@ -213,7 +228,7 @@ impl Compiler {
     /// # Errors
     /// glslang's.
     pub fn compile_hlsl(&self, file: &str, text: &str) -> Result<Vec<u8>, String> {
-        let shader = Shader { stage: Stage::Compute, file, text, beside: |_| None };
+        let shader = Shader { stage: Stage::Compute, file, text, beside: &|_| None };
         self.glslang.compile(SourceLanguage::Hlsl, &shader, &[], self.optimisation)
     }
 }

@@ -63,7 +63,7 @@ fn row(asked: &Asked<'_>, compiler: &Compiler, way: &Way, expression: &str) -> O
     let module = |stage, text, expression: &str| {
         let macros = [("WRITTEN", written), ("READ", read), ("TEXTURE", texture), ("EXPRESSION", expression)];
         let macros = macros.map(|(name, value)| (name.to_owned(), value.to_owned()));
-        let shader = Shader { stage, file: "stage", text: &format!("{HEAD}{text}"), beside: |_| None };
+        let shader = Shader { stage, file: "stage", text: &format!("{HEAD}{text}"), beside: &|_| None };
         compiler.compile_shader(shader, &macros).unwrap()
     };
     let vertex = module(Stage::Vertex, VERTEX, if is_vertex { expression } else { "p" });

@@ -52,7 +52,7 @@ impl Glslang {
 
 /// Resolves `#include` relative to the including file, as the standard include form does.
 fn include(
-    beside: fn(&str) -> Option<&'static str>,
+    beside: &dyn Fn(&str) -> Option<&'static str>,
     wanted: &str,
     kind: IncludeType,
     from: &str,
