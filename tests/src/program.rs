@@ -17,7 +17,7 @@ pub fn path() -> &'static Path {
     PATH.get_or_init(|| build(&["--bin", "unitvec"]).join(name))
 }
 
-/// Builds what these arguments name to cargo besides the program in the profile of the tests, and returns the output's folder.
+/// Builds the program, and what these arguments add, in the profile of the tests; returns the output's folder.
 ///
 /// # Panics
 /// If it does not build.

@@ -185,7 +185,7 @@ impl Compiler {
     }
 
     /// Compiles a kernel. One of a codec gets its family for the file that includes all of them: glslang spends most of its time
-    /// on reading, and a family is a tenth of the text.
+    /// on reading, and a family, with the arithmetic that it includes, is a fifth of the text.
     fn kernel_file(
         &self,
         file: &str,
@@ -194,9 +194,8 @@ impl Compiler {
         codec: Option<&AnyCodec>,
     ) -> Result<Vec<u8>, Error> {
         let file = format!("kernels/{file}");
-        let family = codec.map(|codec| format!("unitvec/{}", codec.glsl_file()));
-        let beside =
-            |path: &str| family.as_deref().filter(|_| path == ALL).and_then(|family| source(family).ok());
+        let family = codec.map(|codec| source(&format!("unitvec/{}", codec.glsl_file()))).transpose()?;
+        let beside = |path: &str| family.filter(|_| path == ALL);
         let shader = Shader { stage: Stage::Compute, file: &file, text: source(&file)?, beside: &beside };
         self.compile_shader(shader, macros).map_err(|error| Error::Rejected {
             file: format!("glsl/{file}"),
