@@ -142,7 +142,7 @@ pub fn table() -> String {
     let rows = formats().map(|format| {
         let [a, b, c, d] = errors[&format.to_string()].map(degrees);
         let bound = degrees(format.max_error_deg().into());
-        let times = slices::times("formats", format.row().name, "oct16p");
+        let times = slices::times(format.row().name);
         let sizes = format!("{} | {}", format.bits(), format.bytes());
         format!("`{format}` | {sizes} | {a} / {b} | {c} / {d} | {bound} | {times}")
     });

@@ -22,9 +22,9 @@ fn ns(operation: &str, name: &str) -> Vec<f64> {
     found.unwrap_or_else(|| panic!("{name} is not in docs/data/slices.json")).1
 }
 
-/// The time of a row of an operation in slices of 2^10 vectors, in those of another row.
-pub fn times(operation: &str, name: &str, of: &str) -> String {
-    let times = ns(operation, name)[0] / ns(operation, of)[0];
+/// The time of a format in slices of 2^10 vectors, in times of `oct16p`, which was measured just before it.
+pub fn times(name: &str) -> String {
+    let times = ns("formats", name)[0] / ns("formats", &format!("{name}-oct16p"))[0];
     if times < 10.0 { format!("{times:.1}") } else { format!("{times:.0}") }
 }
 

@@ -3,6 +3,10 @@
 use super::nearest::Nearest;
 use super::plain::{most, snorm};
 use super::quaternion::largest_number;
+use super::{INFINITE, is_less, of_length, turn};
+use crate::arith::dot;
+use crate::direction::or_z;
+use crate::slice::Coder;
 use glam::Vec3;
 
 /// The deviation from unit length that glTF's validator lets pass: ACCESSOR_VECTOR3_NON_UNIT of glTF-Validator 434283be.
@@ -13,6 +17,7 @@ pub(super) fn bound_deg(bits: u32) -> f32 {
     (0.866_025_4 / (most(bits - 1) * (1.0 - VALID))).to_degrees()
 }
 
+#[inline(always)]
 fn code([x, y, z]: [i32; 3], bits: u32) -> [u32; 2] {
     match bits {
         8 => [u32::from_le_bytes([x as u8, y as u8, z as u8, 0]), 0],
@@ -48,20 +53,86 @@ pub(super) fn neighbours(v: Vec3, bits: u32) -> impl Iterator<Item = Vec3> {
 
 /// The code of a usable direction: rounded, or the nearest that the validator takes for a unit vector.
 pub(super) fn encode(v: Vec3, bits: u32, is_plain: bool) -> [u32; 2] {
+    if bits == 8 && !is_plain {
+        return nearest_bytes(v);
+    }
     let plain = v.normalize().to_array().map(|t| snorm(t, bits));
     if is_plain {
         return code(plain, bits);
     }
     // Not normalised, which in f32 would turn the ray by a part of what codes of 16 bits are off.
-    let ray = v.to_array().map(f64::from);
-    let mut nearest = Nearest::new(ray, largest_number(bits), f64::from(VALID), plain);
-    // The points of about unit length come first: they are taken of those that are equally near.
-    for point in cube(plain) {
-        nearest.offer(point);
-    }
-    // Of 8 bits that is all: valid lengths span less than two steps.
-    if bits > 8 {
-        nearest.search();
-    }
+    let mut nearest =
+        Nearest::new(v.to_array().map(f64::from), largest_number(bits), f64::from(VALID), plain);
+    nearest.offer(plain);
+    nearest.search();
     code(nearest.found, bits)
+}
+
+/// The nearest code of a usable direction in bytes. Valid lengths span less than two steps, so that it is among the 3 by 3 by 3
+/// points around the rounded one.
+#[inline(always)]
+fn nearest_bytes(v: Vec3) -> [u32; 2] {
+    let ray = of_length(v, BYTE);
+    let rounded = Vec3::new(ray.x.round_ties_even(), ray.y.round_ties_even(), ray.z.round_ties_even());
+    // Written out: around a loop the compiler makes no vector instructions.
+    let best = Best { ray, turn: INFINITE, point: rounded };
+    let best = best.or_in_plane(rounded);
+    let best = best.or_in_plane(rounded + Vec3::X);
+    let Vec3 { x, y, z } = best.or_in_plane(rounded - Vec3::X).point;
+    code([x as i32, y as i32, z as i32], 8)
+}
+
+/// The largest number of a byte.
+const BYTE: f32 = 127.0;
+
+/// The nearest point so far.
+#[derive(Clone, Copy)]
+struct Best {
+    ray: Vec3,
+    turn: (f32, f32),
+    point: Vec3,
+}
+
+impl Best {
+    #[inline(always)]
+    fn or_in_plane(self, at: Vec3) -> Self {
+        self.or_in_line(at).or_in_line(at + Vec3::Y).or_in_line(at - Vec3::Y)
+    }
+
+    #[inline(always)]
+    fn or_in_line(self, at: Vec3) -> Self {
+        self.or(at).or(at + Vec3::Z).or(at - Vec3::Z)
+    }
+
+    #[inline(always)]
+    fn or(self, point: Vec3) -> Self {
+        const SHORTEST: f32 = BYTE * (1.0 - VALID);
+        const LONGEST: f32 = BYTE * (1.0 + VALID);
+        let square = dot(point, point);
+        let turn = turn(self.ray, point - self.ray);
+        // A number beyond the largest makes a vector too long.
+        let is_valid = (square > SHORTEST * SHORTEST) & (square < LONGEST * LONGEST);
+        if is_valid & is_less(turn, self.turn) { Self { turn, point, ..self } } else { self }
+    }
+}
+
+/// The format in bytes as a coder of slices.
+#[derive(Clone, Copy)]
+pub(super) struct NearestBytes;
+
+impl Coder<3> for NearestBytes {
+    #[inline(always)]
+    fn bytes(self) -> usize {
+        4
+    }
+
+    #[inline(always)]
+    fn encode(self, v: [f32; 3]) -> [u32; 2] {
+        nearest_bytes(or_z(v.into()).0)
+    }
+
+    #[inline(always)]
+    fn decode(self, code: [u32; 2]) -> [f32; 3] {
+        decode(code, 8).to_array()
+    }
 }

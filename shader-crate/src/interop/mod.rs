@@ -41,7 +41,8 @@ mod rotations;
 mod smallest_three;
 mod tetrahedron;
 
-use crate::direction::or_z;
+use crate::arith::{dot, max};
+use crate::direction::{l1_norm, or_z};
 use crate::slice::machine::Level;
 use crate::slice::{
     Coder, LengthMismatch, StrideError, Strided, Vector, decode_slice_by, decode_strided_with,
@@ -240,7 +241,8 @@ impl Format {
                 // Of any length, as in slices: scaled, a component that becomes 0 would lose its sign.
                 lattice.nearest_code(or_z(direction.into()).0, self.bits, pole_x, layout)
             }
-            Mapping::Tetrahedron => tetrahedron::encode(v, self.is_plain),
+            Mapping::Tetrahedron if self.is_plain => tetrahedron::plain(v),
+            Mapping::Tetrahedron => tetrahedron::nearest(v),
             Mapping::Snorm => components::encode(v, self.bits, self.is_plain),
         }
     }
@@ -312,8 +314,18 @@ impl Format {
         codes: &mut [u8],
     ) -> Result<(), LengthMismatch> {
         with_lattice!(self, !self.is_plain,
-            coder => encode_slice_by(coder, level, vectors, codes),
-            encode_slice_by(One(self), level, vectors, codes))
+        coder => encode_slice_by(coder, level, vectors, codes),
+        match self.row.mapping {
+            #[cfg(not(target_family = "wasm"))]
+            Mapping::Tetrahedron if !self.is_plain => {
+                encode_slice_by(tetrahedron::Nearest, level, vectors, codes)
+            }
+            #[cfg(not(target_family = "wasm"))]
+            Mapping::Snorm if !self.is_plain && self.bits == 8 => {
+                encode_slice_by(components::NearestBytes, level, vectors, codes)
+            }
+            _ => encode_slice_by(One(self), level, vectors, codes),
+        })
     }
 
     /// [`decode_slice`](Self::decode_slice) with the instructions of a given level.
@@ -394,6 +406,31 @@ fn nearest_of<T>(v: Vec3, candidates: impl Iterator<Item = T>, vector: impl Fn(&
 fn around([x, y]: [i32; 2], steps: [i32; 3]) -> impl Iterator<Item = [i32; 2]> {
     steps.into_iter().flat_map(move |i| steps.map(move |j| [x + i, y + j]))
 }
+
+/// A usable vector as one of this length, whose direction is rounded by 2^-23 and less.
+#[inline(always)]
+fn of_length(v: Vec3, length: f32) -> Vec3 {
+    let v = v * (1.0 / l1_norm(v));
+    v * (length / dot(v, v).sqrt())
+}
+
+/// The square of the tangent of the angle by which a vector turns when it is moved, as a fraction whose denominator is 0 from a
+/// right angle on. In f32, of short moves, it tells codes apart that are 2^-23 of the vector's length nearer.
+#[inline(always)]
+fn turn(v: Vec3, by: Vec3) -> (f32, f32) {
+    let (length, part) = (dot(v, v), dot(by, v));
+    let along = max(length + part, 0.0);
+    (dot(by, by) * length - part * part, along * along)
+}
+
+/// True where the first of two fractions is less.
+#[inline(always)]
+fn is_less(a: (f32, f32), b: (f32, f32)) -> bool {
+    a.0 * b.1 < b.0 * a.1
+}
+
+/// The fraction that is not less than any.
+const INFINITE: (f32, f32) = (1.0, 0.0);
 
 /// The square of the tangent of the angle between two directions, infinite from a right angle on: in float64, so that it
 /// tells the codes of any format apart.

@@ -1,6 +1,6 @@
 //! Octahedral lattices in the numberings and layouts of other software.
 
-use super::distance;
+use super::{is_less, of_length, turn};
 use crate::arith::{ONE_AND_A_HALF_2_23, SIGN_BIT, dot, flip_sign, is_negative, mask, max, min, over};
 use crate::codec::storage_bytes;
 use crate::direction::{is_usable, l1_norm};
@@ -122,11 +122,6 @@ fn nearest(v: Vec3, norm: f32, m: f32, half: f32) -> Vec2 {
 fn beside(square: f32, part: f32, length: f32) -> (f32, f32) {
     let along = length + part;
     (square * length - part * part, along * along)
-}
-
-#[inline(always)]
-fn is_less(a: (f32, f32), b: (f32, f32)) -> bool {
-    a.0 * b.1 < b.0 * a.1
 }
 
 /// The point with the signs of a direction's x and y. Of several points for one direction Draco writes: those of the square's
@@ -257,7 +252,8 @@ impl Layout {
             Self::Lanes16 => code[1] as u16 as i16 as f32,
             _ => return lattice.direction(bits, [x, y], pole_x, [0.0; 2]),
         };
-        rounded(Vec2::new(x as f32, y as f32), one, self.most())
+        let Vec3 { x, y, z } = rounded(Vec2::new(x as f32, y as f32), one, self.most());
+        Vec3::new(x / self.most(), y / self.most(), z / self.most())
     }
 
     /// The length of the integers that decoders give, where they do.
@@ -301,7 +297,7 @@ fn from_octant(code: u32) -> [i32; 2] {
     [if code >> 15 & 1 == 1 { -a } else { a }, if code >> 14 & 1 == 1 { -b } else { b }]
 }
 
-/// The decoder of meshoptimizer's filter: a vector of length `most`, rounded, ties away from 0; here divided by `most`.
+/// The integers of meshoptimizer's filter: a vector of length `most`, rounded, ties away from 0.
 #[inline(always)]
 fn rounded(e: Vec2, one: f32, most: f32) -> Vec3 {
     let z = one - e.x.abs() - e.y.abs();
@@ -314,15 +310,16 @@ fn rounded(e: Vec2, one: f32, most: f32) -> Vec3 {
     let length = (v.x * v.x + v.y * v.y + v.z * v.z).sqrt();
     let scale = if length > 0.0 { most / length } else { 0.0 };
     let v = v * scale;
-    Vec3::new(v.x.round() / most, v.y.round() / most, v.z.round() / most)
+    Vec3::new(v.x.round(), v.y.round(), v.z.round())
 }
 
 /// Of the 3 by 3 points around the nearest one, `at`, the point whose decoded integers are nearest.
 #[inline(always)]
 fn searched(v: Vec3, at: Vec2, m: f32, most: f32) -> Vec2 {
+    let v = of_length(v, most);
     // The point itself comes first: of equals it stays. Written out: around a loop the compiler makes no vector
     // instructions.
-    let best = (distance(v, rounded(at, m, most)), at);
+    let best = (turn(v, rounded(at, m, most) - v), at);
     let best = or_nearer(best, v, at + Vec2::new(0.0, 1.0), m, most);
     let best = or_nearer(best, v, at + Vec2::new(0.0, -1.0), m, most);
     let best = or_nearer(best, v, at + Vec2::new(1.0, 0.0), m, most);
@@ -335,12 +332,12 @@ fn searched(v: Vec3, at: Vec2, m: f32, most: f32) -> Vec2 {
 
 /// This point, or, where it lies beyond the square's border, that inside which it stands for, if its integers are nearer.
 #[inline(always)]
-fn or_nearer(best: (f64, Vec2), v: Vec3, at: Vec2, m: f32, most: f32) -> (f64, Vec2) {
+fn or_nearer(best: ((f32, f32), Vec2), v: Vec3, at: Vec2, m: f32, most: f32) -> ((f32, f32), Vec2) {
     let (x, y) = (at.x.abs() > m, at.y.abs() > m);
     let at = if x { Vec2::new(flip_sign(2.0 * m, at.x.to_bits() & SIGN_BIT) - at.x, -at.y) } else { at };
     let at = if y { Vec2::new(-at.x, flip_sign(2.0 * m, at.y.to_bits() & SIGN_BIT) - at.y) } else { at };
-    let distance = distance(v, rounded(at, m, most));
-    if distance < best.0 { (distance, at) } else { best }
+    let turn = turn(v, rounded(at, m, most) - v);
+    if is_less(turn, best.0) { (turn, at) } else { best }
 }
 
 /// An octahedral format of 3 bits or more as a coder of slices, of the layout of this number.

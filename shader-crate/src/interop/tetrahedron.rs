@@ -1,12 +1,17 @@
 //! Unity's tetrahedral encoding: the face of a tetrahedron in 2 bits, and 10 bits each of x and y seen along its normal.
 
-use super::{around, nearest_of};
-use crate::arith::mask;
+use super::{INFINITE, is_less, of_length, turn};
+use crate::arith::{mask, max, min};
+use crate::direction::or_z;
+use crate::slice::Coder;
 use glam::{Mat3, Vec3};
 
 /// The bound of the nearest code's error: half a cell's diagonal, `sqrt(2) / 1023`, where it is seen at its flattest: a face
 /// reaches to where z is 1/3.
 pub(super) const BOUND_DEG: f32 = 0.238;
+
+/// The largest number.
+const MOST: f32 = 1023.0;
 
 /// The sine and the cosine of the angle between a face's normal and the z axis, with the digits of the source.
 const S: f32 = 0.816_497;
@@ -21,37 +26,106 @@ const FACES: [Mat3; 4] = [
 ];
 
 /// The place of a direction on a face: its x, y and z there.
+#[inline(always)]
 fn on_face(v: Vec3, face: usize) -> Vec3 {
     // The rows are the columns here.
     FACES[face].transpose() * v
 }
 
+#[inline(always)]
 fn code(x: i32, y: i32, face: usize) -> [u32; 2] {
     [x as u32 | (y as u32) << 10 | (face as u32) << 20, 0]
 }
 
 /// The direction of a code. Points outside the disc of a face count as its edge.
 pub(super) fn decode(code: u32) -> Vec3 {
-    let component = |first: u32| (code >> first & mask(10)) as f32 * (2.0 / 1023.0) - 1.0;
-    let (x, y) = (component(0), component(10));
-    let z = (1.0 - x * x - y * y).max(0.0).sqrt();
-    (FACES[(code >> 20 & 3) as usize] * Vec3::new(x, y, z)).normalize()
+    let v = of_numbers((code & mask(10)) as f32, (code >> 10 & mask(10)) as f32);
+    (FACES[(code >> 20 & 3) as usize] * v).normalize()
 }
 
-/// The code of a usable direction: of the nearest face's points, rounded as the render target does, or of the points around
-/// that on all faces that it lies before.
-pub(super) fn encode(v: Vec3, is_plain: bool) -> [u32; 2] {
+/// The vector of a point, seen along the face's normal.
+#[inline(always)]
+fn of_numbers(x: f32, y: f32) -> Vec3 {
+    let (x, y) = (x * (2.0 / MOST) - 1.0, y * (2.0 / MOST) - 1.0);
+    Vec3::new(x, y, max(1.0 - x * x - y * y, 0.0).sqrt())
+}
+
+/// The number that a component is rounded to, as the render target does.
+#[inline(always)]
+fn number(t: f32) -> f32 {
+    ((t * 0.5 + 0.5) * MOST).round_ties_even()
+}
+
+/// The code of a usable direction as Unity writes it: on the face that it lies before.
+pub(super) fn plain(v: Vec3) -> [u32; 2] {
     let v = v.normalize();
     let places: [Vec3; 4] = core::array::from_fn(|face| on_face(v, face));
-    let number = |t: f32| ((t * 0.5 + 0.5) * 1023.0).round_ties_even() as i32;
-    if is_plain {
-        let face = (1..4).fold(0, |best, face| if places[face].z > places[best].z { face } else { best });
-        return code(number(places[face].x), number(places[face].y), face);
+    let face = (1..4).fold(0, |best, face| if places[face].z > places[best].z { face } else { best });
+    code(number(places[face].x) as i32, number(places[face].y) as i32, face)
+}
+
+/// The nearest code of a usable direction: of the 3 by 3 points around its place on each face.
+#[inline(always)]
+pub(super) fn nearest(v: Vec3) -> [u32; 2] {
+    let v = of_length(v, 1.0);
+    // Written out: around a loop the compiler makes no vector instructions.
+    let best = Best { turn: INFINITE, x: 0.0, y: 0.0, face: 0 };
+    let best = best.or_on_face(v, 0).or_on_face(v, 1).or_on_face(v, 2).or_on_face(v, 3);
+    code(best.x as i32, best.y as i32, best.face)
+}
+
+/// The nearest point so far.
+#[derive(Clone, Copy)]
+struct Best {
+    turn: (f32, f32),
+    x: f32,
+    y: f32,
+    face: usize,
+}
+
+impl Best {
+    #[inline(always)]
+    fn or_on_face(self, v: Vec3, face: usize) -> Self {
+        let place = on_face(v, face);
+        let x = number(place.x);
+        self.or_in_column(place, x - 1.0, face).or_in_column(place, x, face).or_in_column(
+            place,
+            x + 1.0,
+            face,
+        )
     }
-    let before = (0..4).filter(|face| places[*face].z > 0.0);
-    let codes = before.flat_map(|face| {
-        let point = [number(places[face].x), number(places[face].y)];
-        around(point, [-1, 0, 1]).map(move |[x, y]| code(x.clamp(0, 1023), y.clamp(0, 1023), face))
-    });
-    nearest_of(v, codes, |code| decode(code[0])).unwrap_or_default()
+
+    #[inline(always)]
+    fn or_in_column(self, place: Vec3, x: f32, face: usize) -> Self {
+        let y = number(place.y);
+        self.or(place, x, y - 1.0, face).or(place, x, y, face).or(place, x, y + 1.0, face)
+    }
+
+    #[inline(always)]
+    fn or(self, place: Vec3, x: f32, y: f32, face: usize) -> Self {
+        let (x, y) = (min(max(x, 0.0), MOST), min(max(y, 0.0), MOST));
+        let turn = turn(place, of_numbers(x, y) - place);
+        if is_less(turn, self.turn) { Self { turn, x, y, face } } else { self }
+    }
+}
+
+/// The format as a coder of slices.
+#[derive(Clone, Copy)]
+pub(super) struct Nearest;
+
+impl Coder<3> for Nearest {
+    #[inline(always)]
+    fn bytes(self) -> usize {
+        4
+    }
+
+    #[inline(always)]
+    fn encode(self, v: [f32; 3]) -> [u32; 2] {
+        nearest(or_z(v.into()).0)
+    }
+
+    #[inline(always)]
+    fn decode(self, [low, _]: [u32; 2]) -> [f32; 3] {
+        decode(low).to_array()
+    }
 }
