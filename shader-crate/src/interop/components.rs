@@ -5,8 +5,6 @@ use super::plain::{most, snorm};
 use super::quaternion::largest_number;
 use super::{INFINITE, is_less, of_length, turn};
 use crate::arith::dot;
-use crate::direction::or_z;
-use crate::slice::Coder;
 use glam::Vec3;
 
 /// The deviation from unit length that glTF's validator lets pass: ACCESSOR_VECTOR3_NON_UNIT of glTF-Validator 434283be.
@@ -71,68 +69,26 @@ pub(super) fn encode(v: Vec3, bits: u32, is_plain: bool) -> [u32; 2] {
 /// The nearest code of a usable direction in bytes. Valid lengths span less than two steps, so that it is among the 3 by 3 by 3
 /// points around the rounded one.
 #[inline(always)]
-fn nearest_bytes(v: Vec3) -> [u32; 2] {
+pub(super) fn nearest_bytes(v: Vec3) -> [u32; 2] {
     let ray = of_length(v, BYTE);
     let rounded = Vec3::new(ray.x.round_ties_even(), ray.y.round_ties_even(), ray.z.round_ties_even());
-    // Written out: around a loop the compiler makes no vector instructions.
-    let best = Best { ray, turn: INFINITE, point: rounded };
-    let best = best.or_in_plane(rounded);
-    let best = best.or_in_plane(rounded + Vec3::X);
-    let Vec3 { x, y, z } = best.or_in_plane(rounded - Vec3::X).point;
+    let (_, Vec3 { x, y, z }) = three!((INFINITE, rounded), |best, x| {
+        three!(best, |best, y| three!(best, |best, z| or_nearer(best, ray, rounded + Vec3::new(x, y, z))))
+    });
     code([x as i32, y as i32, z as i32], 8)
 }
 
 /// The largest number of a byte.
 const BYTE: f32 = 127.0;
 
-/// The nearest point so far.
-#[derive(Clone, Copy)]
-struct Best {
-    ray: Vec3,
-    turn: (f32, f32),
-    point: Vec3,
-}
-
-impl Best {
-    #[inline(always)]
-    fn or_in_plane(self, at: Vec3) -> Self {
-        self.or_in_line(at).or_in_line(at + Vec3::Y).or_in_line(at - Vec3::Y)
-    }
-
-    #[inline(always)]
-    fn or_in_line(self, at: Vec3) -> Self {
-        self.or(at).or(at + Vec3::Z).or(at - Vec3::Z)
-    }
-
-    #[inline(always)]
-    fn or(self, point: Vec3) -> Self {
-        const SHORTEST: f32 = BYTE * (1.0 - VALID);
-        const LONGEST: f32 = BYTE * (1.0 + VALID);
-        let square = dot(point, point);
-        let turn = turn(self.ray, point - self.ray);
-        // A number beyond the largest makes a vector too long.
-        let is_valid = (square > SHORTEST * SHORTEST) & (square < LONGEST * LONGEST);
-        if is_valid & is_less(turn, self.turn) { Self { turn, point, ..self } } else { self }
-    }
-}
-
-/// The format in bytes as a coder of slices.
-#[derive(Clone, Copy)]
-pub(super) struct NearestBytes;
-
-impl Coder<3> for NearestBytes {
-    #[inline(always)]
-    fn bytes(self) -> usize {
-        4
-    }
-
-    #[inline(always)]
-    fn encode(self, v: [f32; 3]) -> [u32; 2] {
-        nearest_bytes(or_z(v.into()).0)
-    }
-
-    #[inline(always)]
-    fn decode(self, code: [u32; 2]) -> [f32; 3] {
-        decode(code, 8).to_array()
-    }
+/// This point, if it is valid and nearer.
+#[cfg_attr(not(target_family = "wasm"), inline(always))]
+fn or_nearer(best: ((f32, f32), Vec3), ray: Vec3, point: Vec3) -> ((f32, f32), Vec3) {
+    const SHORTEST: f32 = BYTE * (1.0 - VALID);
+    const LONGEST: f32 = BYTE * (1.0 + VALID);
+    let square = dot(point, point);
+    let turn = turn(ray, point - ray);
+    // A number beyond the largest makes a vector too long.
+    let is_valid = (square > SHORTEST * SHORTEST) & (square < LONGEST * LONGEST);
+    if is_valid & is_less(turn, best.0) { (turn, point) } else { best }
 }

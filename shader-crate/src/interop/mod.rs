@@ -29,6 +29,17 @@
 //!   give integers: there it gives these, scaled. Originals round otherwise in the last bits.
 //! * It needs the feature `std`, and is for CPUs.
 
+/// What becomes of a value that is taken three times, with 0, 1 and -1. Written out: around a loop, and around calls of closures,
+/// the compiler makes no vector instructions.
+macro_rules! three {
+    ($value:expr, |$taken:ident, $step:ident| $next:expr) => {{
+        let ($taken, $step) = ($value, 0.0);
+        let ($taken, $step) = ($next, 1.0);
+        let ($taken, $step) = ($next, -1.0);
+        $next
+    }};
+}
+
 mod components;
 mod four_components;
 mod frames;
@@ -318,11 +329,11 @@ impl Format {
         match self.row.mapping {
             #[cfg(not(target_family = "wasm"))]
             Mapping::Tetrahedron if !self.is_plain => {
-                encode_slice_by(tetrahedron::Nearest, level, vectors, codes)
+                encode_slice_by(InWord::<true>, level, vectors, codes)
             }
             #[cfg(not(target_family = "wasm"))]
             Mapping::Snorm if !self.is_plain && self.bits == 8 => {
-                encode_slice_by(components::NearestBytes, level, vectors, codes)
+                encode_slice_by(InWord::<false>, level, vectors, codes)
             }
             _ => encode_slice_by(One(self), level, vectors, codes),
         })
@@ -386,6 +397,29 @@ impl Coder<3> for One {
 
     fn decode(self, code: [u32; 2]) -> [f32; 3] {
         self.0.decode_words(code)
+    }
+}
+
+/// Tetrahedra or three bytes as a coder of slices that writes the nearest code.
+#[cfg(not(target_family = "wasm"))]
+#[derive(Clone, Copy)]
+struct InWord<const IS_TETRAHEDRON: bool>;
+
+#[cfg(not(target_family = "wasm"))]
+impl<const IS_TETRAHEDRON: bool> Coder<3> for InWord<IS_TETRAHEDRON> {
+    #[inline(always)]
+    fn bytes(self) -> usize {
+        4
+    }
+
+    #[inline(always)]
+    fn encode(self, v: [f32; 3]) -> [u32; 2] {
+        let (v, _) = or_z(v.into());
+        if IS_TETRAHEDRON { tetrahedron::nearest(v) } else { components::nearest_bytes(v) }
+    }
+
+    fn decode(self, code: [u32; 2]) -> [f32; 3] {
+        if IS_TETRAHEDRON { tetrahedron::decode(code[0]) } else { components::decode(code, 8) }.to_array()
     }
 }
 

@@ -1,6 +1,6 @@
 //! Octahedral lattices in the numberings and layouts of other software.
 
-use super::{is_less, of_length, turn};
+use super::{INFINITE, is_less, of_length, turn};
 use crate::arith::{ONE_AND_A_HALF_2_23, SIGN_BIT, dot, flip_sign, is_negative, mask, max, min, over};
 use crate::codec::storage_bytes;
 use crate::direction::{is_usable, l1_norm};
@@ -317,21 +317,19 @@ fn rounded(e: Vec2, one: f32, most: f32) -> Vec3 {
 #[inline(always)]
 fn searched(v: Vec3, at: Vec2, m: f32, most: f32) -> Vec2 {
     let v = of_length(v, most);
-    // The point itself comes first: of equals it stays. Written out: around a loop the compiler makes no vector
-    // instructions.
-    let best = (turn(v, rounded(at, m, most) - v), at);
-    let best = or_nearer(best, v, at + Vec2::new(0.0, 1.0), m, most);
-    let best = or_nearer(best, v, at + Vec2::new(0.0, -1.0), m, most);
-    let best = or_nearer(best, v, at + Vec2::new(1.0, 0.0), m, most);
-    let best = or_nearer(best, v, at + Vec2::new(1.0, 1.0), m, most);
-    let best = or_nearer(best, v, at + Vec2::new(1.0, -1.0), m, most);
-    let best = or_nearer(best, v, at + Vec2::new(-1.0, 0.0), m, most);
-    let best = or_nearer(best, v, at + Vec2::new(-1.0, 1.0), m, most);
-    or_nearer(best, v, at + Vec2::new(-1.0, -1.0), m, most).1
+    // The point itself comes first: of equals it stays.
+    three!((INFINITE, at), |best, x| three!(best, |best, y| or_nearer(
+        best,
+        v,
+        at + Vec2::new(x, y),
+        m,
+        most
+    )))
+    .1
 }
 
 /// This point, or, where it lies beyond the square's border, that inside which it stands for, if its integers are nearer.
-#[inline(always)]
+#[cfg_attr(not(target_family = "wasm"), inline(always))]
 fn or_nearer(best: ((f32, f32), Vec2), v: Vec3, at: Vec2, m: f32, most: f32) -> ((f32, f32), Vec2) {
     let (x, y) = (at.x.abs() > m, at.y.abs() > m);
     let at = if x { Vec2::new(flip_sign(2.0 * m, at.x.to_bits() & SIGN_BIT) - at.x, -at.y) } else { at };

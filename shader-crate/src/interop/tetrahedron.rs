@@ -2,8 +2,6 @@
 
 use super::{INFINITE, is_less, of_length, turn};
 use crate::arith::{mask, max, min};
-use crate::direction::or_z;
-use crate::slice::Coder;
 use glam::{Mat3, Vec3};
 
 /// The bound of the nearest code's error: half a cell's diagonal, `sqrt(2) / 1023`, where it is seen at its flattest: a face
@@ -68,64 +66,27 @@ pub(super) fn plain(v: Vec3) -> [u32; 2] {
 #[inline(always)]
 pub(super) fn nearest(v: Vec3) -> [u32; 2] {
     let v = of_length(v, 1.0);
-    // Written out: around a loop the compiler makes no vector instructions.
-    let best = Best { turn: INFINITE, x: 0.0, y: 0.0, face: 0 };
-    let best = best.or_on_face(v, 0).or_on_face(v, 1).or_on_face(v, 2).or_on_face(v, 3);
-    code(best.x as i32, best.y as i32, best.face)
+    let best = on_face_or((INFINITE, (0.0, 0.0, 0)), v, 0);
+    let best = on_face_or(on_face_or(best, v, 1), v, 2);
+    let (_, (x, y, face)) = on_face_or(best, v, 3);
+    code(x as i32, y as i32, face)
 }
 
-/// The nearest point so far.
-#[derive(Clone, Copy)]
-struct Best {
-    turn: (f32, f32),
-    x: f32,
-    y: f32,
-    face: usize,
+/// A point by its numbers and face, and the turn to it.
+type Turned = ((f32, f32), (f32, f32, usize));
+
+/// The nearest of the points on a face, or the one that is nearer.
+#[inline(always)]
+fn on_face_or(best: Turned, v: Vec3, face: usize) -> Turned {
+    let place = on_face(v, face);
+    let (x, y) = (number(place.x), number(place.y));
+    three!(best, |best, i| three!(best, |best, j| or_nearer(best, place, x + i, y + j, face)))
 }
 
-impl Best {
-    #[inline(always)]
-    fn or_on_face(self, v: Vec3, face: usize) -> Self {
-        let place = on_face(v, face);
-        let x = number(place.x);
-        self.or_in_column(place, x - 1.0, face).or_in_column(place, x, face).or_in_column(
-            place,
-            x + 1.0,
-            face,
-        )
-    }
-
-    #[inline(always)]
-    fn or_in_column(self, place: Vec3, x: f32, face: usize) -> Self {
-        let y = number(place.y);
-        self.or(place, x, y - 1.0, face).or(place, x, y, face).or(place, x, y + 1.0, face)
-    }
-
-    #[inline(always)]
-    fn or(self, place: Vec3, x: f32, y: f32, face: usize) -> Self {
-        let (x, y) = (min(max(x, 0.0), MOST), min(max(y, 0.0), MOST));
-        let turn = turn(place, of_numbers(x, y) - place);
-        if is_less(turn, self.turn) { Self { turn, x, y, face } } else { self }
-    }
-}
-
-/// The format as a coder of slices.
-#[derive(Clone, Copy)]
-pub(super) struct Nearest;
-
-impl Coder<3> for Nearest {
-    #[inline(always)]
-    fn bytes(self) -> usize {
-        4
-    }
-
-    #[inline(always)]
-    fn encode(self, v: [f32; 3]) -> [u32; 2] {
-        nearest(or_z(v.into()).0)
-    }
-
-    #[inline(always)]
-    fn decode(self, [low, _]: [u32; 2]) -> [f32; 3] {
-        decode(low).to_array()
-    }
+/// This point, or, where it lies beyond the square's border, that on it, if it is nearer.
+#[cfg_attr(not(target_family = "wasm"), inline(always))]
+fn or_nearer(best: Turned, place: Vec3, x: f32, y: f32, face: usize) -> Turned {
+    let (x, y) = (min(max(x, 0.0), MOST), min(max(y, 0.0), MOST));
+    let turn = turn(place, of_numbers(x, y) - place);
+    if is_less(turn, best.0) { (turn, (x, y, face)) } else { best }
 }
