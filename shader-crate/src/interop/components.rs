@@ -68,7 +68,7 @@ pub(super) fn encode(v: Vec3, bits: u32, is_plain: bool) -> [u32; 2] {
 
 /// The nearest code of a usable direction in bytes. Valid lengths span less than two steps, so that it is among the 3 by 3 by 3
 /// points around the rounded one.
-#[inline(always)]
+#[cfg_attr(not(target_family = "wasm"), inline(always))]
 pub(super) fn nearest_bytes(v: Vec3) -> [u32; 2] {
     let ray = of_length(v, BYTE);
     let rounded = Vec3::new(ray.x.round_ties_even(), ray.y.round_ties_even(), ray.z.round_ties_even());

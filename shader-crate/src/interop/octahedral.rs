@@ -314,7 +314,7 @@ fn rounded(e: Vec2, one: f32, most: f32) -> Vec3 {
 }
 
 /// Of the 3 by 3 points around the nearest one, `at`, the point whose decoded integers are nearest.
-#[inline(always)]
+#[cfg_attr(not(target_family = "wasm"), inline(always))]
 fn searched(v: Vec3, at: Vec2, m: f32, most: f32) -> Vec2 {
     let v = of_length(v, most);
     // The point itself comes first: of equals it stays.

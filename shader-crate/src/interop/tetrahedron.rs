@@ -63,7 +63,7 @@ pub(super) fn plain(v: Vec3) -> [u32; 2] {
 }
 
 /// The nearest code of a usable direction: of the 3 by 3 points around its place on each face.
-#[inline(always)]
+#[cfg_attr(not(target_family = "wasm"), inline(always))]
 pub(super) fn nearest(v: Vec3) -> [u32; 2] {
     let v = of_length(v, 1.0);
     let best = on_face_or((INFINITE, (0.0, 0.0, 0)), v, 0);
@@ -76,7 +76,7 @@ pub(super) fn nearest(v: Vec3) -> [u32; 2] {
 type Turned = ((f32, f32), (f32, f32, usize));
 
 /// The nearest of the points on a face, or the one that is nearer.
-#[inline(always)]
+#[cfg_attr(not(target_family = "wasm"), inline(always))]
 fn on_face_or(best: Turned, v: Vec3, face: usize) -> Turned {
     let place = on_face(v, face);
     let (x, y) = (number(place.x), number(place.y));
