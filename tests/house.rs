@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use unitvec_tests::{files, repository};
 
 /// Lines of the largest crate, without its unit tests. A larger one has rooms that want walls: see ARCHITECTURE.md.
-const MOST_LINES: usize = 15_400;
+const MOST_LINES: usize = 15_300;
 
 /// The folders of the sources of all crates but the tests, each with its name.
 fn crates() -> Vec<(String, PathBuf)> {

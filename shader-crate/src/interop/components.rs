@@ -3,8 +3,6 @@
 use super::nearest::Nearest;
 use super::plain::{most, snorm};
 use super::quaternion::largest_number;
-use super::{INFINITE, is_less, of_length, turn};
-use crate::arith::dot;
 use glam::Vec3;
 
 /// The deviation from unit length that glTF's validator lets pass: ACCESSOR_VECTOR3_NON_UNIT of glTF-Validator 434283be.
@@ -16,7 +14,7 @@ pub(super) fn bound_deg(bits: u32) -> f32 {
 }
 
 #[inline(always)]
-fn code([x, y, z]: [i32; 3], bits: u32) -> [u32; 2] {
+pub(super) fn code([x, y, z]: [i32; 3], bits: u32) -> [u32; 2] {
     match bits {
         8 => [u32::from_le_bytes([x as u8, y as u8, z as u8, 0]), 0],
         _ => [u32::from(x as u16) | u32::from(y as u16) << 16, u32::from(z as u16)],
@@ -51,9 +49,6 @@ pub(super) fn neighbours(v: Vec3, bits: u32) -> impl Iterator<Item = Vec3> {
 
 /// The code of a usable direction: rounded, or the nearest that the validator takes for a unit vector.
 pub(super) fn encode(v: Vec3, bits: u32, is_plain: bool) -> [u32; 2] {
-    if bits == 8 && !is_plain {
-        return nearest_bytes(v);
-    }
     let plain = v.normalize().to_array().map(|t| snorm(t, bits));
     if is_plain {
         return code(plain, bits);
@@ -64,31 +59,4 @@ pub(super) fn encode(v: Vec3, bits: u32, is_plain: bool) -> [u32; 2] {
     nearest.offer(plain);
     nearest.search();
     code(nearest.found, bits)
-}
-
-/// The nearest code of a usable direction in bytes. Valid lengths span less than two steps, so that it is among the 3 by 3 by 3
-/// points around the rounded one.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
-pub(super) fn nearest_bytes(v: Vec3) -> [u32; 2] {
-    let ray = of_length(v, BYTE);
-    let rounded = Vec3::new(ray.x.round_ties_even(), ray.y.round_ties_even(), ray.z.round_ties_even());
-    let (_, Vec3 { x, y, z }) = three!((INFINITE, rounded), |best, x| {
-        three!(best, |best, y| three!(best, |best, z| or_nearer(best, ray, rounded + Vec3::new(x, y, z))))
-    });
-    code([x as i32, y as i32, z as i32], 8)
-}
-
-/// The largest number of a byte.
-const BYTE: f32 = 127.0;
-
-/// This point, if it is valid and nearer.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
-fn or_nearer(best: ((f32, f32), Vec3), ray: Vec3, point: Vec3) -> ((f32, f32), Vec3) {
-    const SHORTEST: f32 = BYTE * (1.0 - VALID);
-    const LONGEST: f32 = BYTE * (1.0 + VALID);
-    let square = dot(point, point);
-    let turn = turn(ray, point - ray);
-    // A number beyond the largest makes a vector too long.
-    let is_valid = (square > SHORTEST * SHORTEST) & (square < LONGEST * LONGEST);
-    if is_valid & is_less(turn, best.0) { (turn, point) } else { best }
 }

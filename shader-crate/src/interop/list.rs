@@ -9,10 +9,8 @@ use core::fmt;
 pub struct Row {
     /// The name, without a width.
     pub name: &'static str,
-    /// The least width of a component, in bits.
-    pub least: u32,
-    /// The greatest.
-    pub most: u32,
+    /// The least and the greatest width of a component, in bits.
+    pub widths: [u32; 2],
     /// The source of encoder and decoder: repository or package, commit or version, file.
     pub source: &'static str,
     /// The bits of a code, the low ones first.
@@ -29,7 +27,17 @@ pub struct Row {
 impl Row {
     /// True where the name takes a width: `draco:10`.
     pub fn has_widths(&self) -> bool {
-        self.least != self.most
+        self.widths[0] < self.widths[1]
+    }
+
+    /// The row, with this code for no vector.
+    const fn null(self, code: u64) -> Self {
+        Self { null: Some(code), ..self }
+    }
+
+    /// The row, of an original that truncates: the middle of what it gives a number is half a step above it.
+    const fn truncated(self) -> Self {
+        Self { aim: 0.5, ..self }
     }
 }
 
@@ -37,7 +45,8 @@ impl Row {
 impl fmt::Display for Row {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name)?;
-        if self.has_widths() { write!(f, ":{}-{}", self.least, self.most) } else { Ok(()) }
+        let [least, most] = self.widths;
+        if self.has_widths() { write!(f, ":{least}-{most}") } else { Ok(()) }
     }
 }
 
@@ -52,190 +61,71 @@ pub(super) enum Mapping {
     Snorm,
 }
 
-/// An octahedral format with the pole z.
-const fn oct(lattice: Lattice, layout: Layout, plain: Plain) -> Mapping {
-    Mapping::Octahedral { lattice, layout, pole_x: false, plain }
-}
-
-const CESIUM: &str =
-    "CesiumGS/cesium 09a719b8, Core/AttributeCompression.js; 3d-tiles 01001ec8, specification/TileFormats";
-const MESHOPT: &str =
-    "zeux/meshoptimizer b5b2c439, src/vertexfilter.cpp; KHR_meshopt_compression, appendix B";
-const GLTF: &str = "glTF's KHR_mesh_quantization; zeux/meshoptimizer b5b2c439, gltf/stream.cpp";
-const UNORM_16: &str = "x and y, unsigned words";
-const UNDEFINED: &str = "NaN: no defined code";
-
-/// What most rows have.
-const BASE: Row = Row {
-    name: "",
-    least: 0,
-    most: 0,
-    source: "",
-    layout: "",
-    zero: UNDEFINED,
-    null: None,
-    mapping: Mapping::Snorm,
-    aim: 0.0,
-};
-
-/// What the formats of CesiumGS have in common.
-const OF_CESIUM: Row = Row {
-    source: CESIUM,
-    zero: "code 0, which its shaders decode to no vector",
-    null: Some(0),
-    mapping: oct(Lattice::Unorm, Layout::Pair, plain::cesium),
-    ..BASE
-};
-
-/// What glTF's formats have in common.
-const OF_GLTF: Row = Row { source: GLTF, zero: "0, which the validator refuses", null: Some(0), ..BASE };
-
 /// All formats.
-pub static ROWS: [Row; 17] = [
-    Row {
-        name: "tiles3d-oct16",
-        least: 8,
-        most: 8,
-        layout: "x and y, unsigned bytes (NORMAL_OCT16P)",
-        ..OF_CESIUM
-    },
-    Row {
-        name: "tiles3d-oct32",
-        least: 16,
-        most: 16,
-        layout: "x and y, unsigned words (NORMAL_UP_OCT32P, NORMAL_RIGHT_OCT32P)",
-        ..OF_CESIUM
-    },
-    Row {
-        name: "quantized-mesh",
-        least: 8,
-        most: 8,
-        layout: "x and y, unsigned bytes (octvertexnormals)",
-        ..OF_CESIUM
-    },
-    Row {
-        name: "godot4",
-        least: 16,
-        most: 16,
-        source: "godotengine/godot 0208728e, core/math/vector3.cpp, servers/rendering/rendering_server.cpp",
-        layout: UNORM_16,
-        mapping: oct(Lattice::Unorm, Layout::Pair, plain::godot),
-        aim: 0.5,
-        ..BASE
-    },
-    Row {
-        name: "bevy",
-        least: 16,
-        most: 16,
-        source: "bevy_mesh 0.20.1, src/vertex.rs, src/mesh.rs",
-        layout: "x and y, signed words",
-        zero: "+Z",
-        null: Some(0x8000),
-        mapping: oct(Lattice::Snorm, Layout::Pair, plain::bevy),
-        ..BASE
-    },
-    Row {
-        name: "nanite",
-        least: 2,
-        most: 15,
-        source: "Unreal Engine 5, NaniteEncodeGeometryData.cpp; CUE4Parse, UE4/Assets/Exports/Nanite",
-        layout: "x and y, unsigned",
-        mapping: oct(Lattice::Unorm, Layout::Pair, plain::nanite),
-        ..BASE
-    },
-    Row {
-        name: "hdrp-oct24",
-        least: 12,
-        most: 12,
-        source: "Unity-Technologies/Graphics 0279aa47, HDRP's NormalBuffer.hlsl, Packing.hlsl",
-        layout: "the low bytes of x and y, then their high 4 bits",
-        zero: "+Z",
-        mapping: oct(Lattice::Unorm, Layout::Bytes888, plain::hdrp),
-        aim: 0.5,
-        ..BASE
-    },
-    Row {
-        name: "hdrp-oct22",
-        least: 11,
-        most: 11,
-        source: "Unity's HDRP of 2017, Lit.hlsl",
-        layout: "the magnitudes of x and y, 10 bits each, then a bit for each that is positive",
-        mapping: oct(Lattice::Snorm, Layout::Signs, plain::hdrp_2017),
-        ..BASE
-    },
-    Row {
-        name: "hdrp-tetra",
-        least: 10,
-        most: 10,
-        source: "Unity-Technologies/Graphics 0279aa47, Packing.hlsl",
-        layout: "x and y on the face, 10 bits each, then the face, 2 bits",
-        mapping: Mapping::Tetrahedron,
-        ..BASE
-    },
-    Row {
-        name: "cycles-packed",
-        least: 16,
-        most: 16,
-        source: "blender/blender 9b8810a3, intern/cycles/util/types_normal.h",
-        layout: UNORM_16,
-        zero: "+Z",
-        mapping: oct(Lattice::Unorm, Layout::Pair, plain::cycles_packed),
-        ..BASE
-    },
-    Row {
-        name: "cycles",
-        least: 2,
-        most: 16,
-        source: "Tony7466/BLENDER b9e87623, intern/cycles/util/octahedral_normal.h",
-        layout: "x and y, unsigned",
-        mapping: oct(Lattice::Unorm, Layout::Pair, plain::cycles),
-        ..BASE
-    },
-    Row {
-        name: "draco",
-        least: 2,
-        most: 16,
-        source: "google/draco 47238930, compression/attributes/normal_compression_utils.h",
-        layout: "s (of y) and t (of z), unsigned; the pole is x",
-        zero: "+X",
-        mapping: Mapping::Octahedral {
-            lattice: Lattice::Biased,
-            layout: Layout::Pair,
-            pole_x: true,
-            plain: plain::draco,
-        },
-        ..BASE
-    },
-    Row {
-        name: "meshopt-oct",
-        least: 2,
-        most: 8,
-        source: MESHOPT,
-        layout: "x, y, the largest number, and w (0), signed bytes",
-        zero: "+Z",
-        mapping: oct(Lattice::Snorm, Layout::Lanes8, plain::meshopt),
-        ..BASE
-    },
-    Row {
-        name: "meshopt-oct16",
-        least: 2,
-        most: 16,
-        source: MESHOPT,
-        layout: "x, y, the largest number, and w (0), signed words",
-        zero: "+Z",
-        mapping: oct(Lattice::Snorm, Layout::Lanes16, plain::meshopt),
-        ..BASE
-    },
-    Row {
-        name: "openvdb",
-        least: 7,
-        most: 7,
-        source: "AcademySoftwareFoundation/openvdb 568538e9, math/QuantizedUnitVec.h",
-        layout: "y in 7 bits, x in 6 of the octant, then the signs of z, y and x",
-        zero: "+Z",
-        mapping: oct(Lattice::Of126, Layout::Octant, plain::openvdb),
-        ..BASE
-    },
-    Row { name: "gltf-snorm8", least: 8, most: 8, layout: "x, y, z and 0, signed bytes", ..OF_GLTF },
-    Row { name: "gltf-snorm16", least: 16, most: 16, layout: "x, y, z and 0, signed words", ..OF_GLTF },
-];
+pub static ROWS: [Row; 17] = {
+    use Lattice::{Biased, Of126, Snorm, Unorm};
+    use Layout::{Bytes888, Lanes8, Lanes16, Octant, Pair, Signs};
+    type Text = &'static str;
+    const fn of(name: Text, widths: [u32; 2], mapping: Mapping, texts: [Text; 3]) -> Row {
+        let [source, layout, zero] = texts;
+        Row { name, widths, source, layout, zero, null: None, mapping, aim: 0.0 }
+    }
+    const fn oct(lattice: Lattice, layout: Layout, plain: Plain) -> Mapping {
+        Mapping::Octahedral { lattice, layout, pole_x: false, plain }
+    }
+    const OF_DRACO: Mapping =
+        Mapping::Octahedral { lattice: Biased, layout: Pair, pole_x: true, plain: plain::draco };
+    const BY_CESIUM: Text = "CesiumGS/cesium 09a719b8, Core/AttributeCompression.js; 3d-tiles 01001ec8, specification/TileFormats";
+    const BY_GODOT: Text =
+        "godotengine/godot 0208728e, core/math/vector3.cpp, servers/rendering/rendering_server.cpp";
+    const BY_BEVY: Text = "bevy_mesh 0.20.1, src/vertex.rs, src/mesh.rs";
+    const BY_EPIC: Text =
+        "Unreal Engine 5, NaniteEncodeGeometryData.cpp; CUE4Parse, UE4/Assets/Exports/Nanite";
+    const BY_HDRP: Text = "Unity-Technologies/Graphics 0279aa47, HDRP's NormalBuffer.hlsl, Packing.hlsl";
+    const BY_HDRP_2017: Text = "Unity's HDRP of 2017, Lit.hlsl";
+    const BY_UNITY: Text = "Unity-Technologies/Graphics 0279aa47, Packing.hlsl";
+    const BY_BLENDER: Text = "blender/blender 9b8810a3, intern/cycles/util/types_normal.h";
+    const BY_BRANCH: Text = "Tony7466/BLENDER b9e87623, intern/cycles/util/octahedral_normal.h";
+    const BY_GOOGLE: Text = "google/draco 47238930, compression/attributes/normal_compression_utils.h";
+    const BY_MESHOPT: Text =
+        "zeux/meshoptimizer b5b2c439, src/vertexfilter.cpp; KHR_meshopt_compression, appendix B";
+    const BY_OPENVDB: Text = "AcademySoftwareFoundation/openvdb 568538e9, math/QuantizedUnitVec.h";
+    const BY_GLTF: Text = "glTF's KHR_mesh_quantization; zeux/meshoptimizer b5b2c439, gltf/stream.cpp";
+    const OCT16P: Text = "x and y, unsigned bytes (NORMAL_OCT16P)";
+    const OCT32P: Text = "x and y, unsigned words (NORMAL_UP_OCT32P, NORMAL_RIGHT_OCT32P)";
+    const VERTEX: Text = "x and y, unsigned bytes (octvertexnormals)";
+    const PAIR: Text = "x and y, unsigned";
+    const WORDS: Text = "x and y, unsigned words";
+    const SIGNED_WORDS: Text = "x and y, signed words";
+    const PARTED: Text = "the low bytes of x and y, then their high 4 bits";
+    const SIGNS: Text = "the magnitudes of x and y, 10 bits each, then a bit for each that is positive";
+    const FACE: Text = "x and y on the face, 10 bits each, then the face, 2 bits";
+    const S_T: Text = "s (of y) and t (of z), unsigned; the pole is x";
+    const LANES8: Text = "x, y, the largest number, and w (0), signed bytes";
+    const LANES16: Text = "x, y, the largest number, and w (0), signed words";
+    const OCTANT: Text = "y in 7 bits, x in 6 of the octant, then the signs of z, y and x";
+    const BYTES_XYZ: Text = "x, y, z and 0, signed bytes";
+    const WORDS_XYZ: Text = "x, y, z and 0, signed words";
+    const NO_VECTOR: Text = "code 0, which its shaders decode to no vector";
+    const REFUSED: Text = "0, which the validator refuses";
+    const UNDEFINED: Text = "NaN: no defined code";
+    [
+        of("tiles3d-oct16", [8; 2], oct(Unorm, Pair, plain::cesium), [BY_CESIUM, OCT16P, NO_VECTOR]).null(0),
+        of("tiles3d-oct32", [16; 2], oct(Unorm, Pair, plain::cesium), [BY_CESIUM, OCT32P, NO_VECTOR]).null(0),
+        of("quantized-mesh", [8; 2], oct(Unorm, Pair, plain::cesium), [BY_CESIUM, VERTEX, NO_VECTOR]).null(0),
+        of("godot4", [16; 2], oct(Unorm, Pair, plain::godot), [BY_GODOT, WORDS, UNDEFINED]).truncated(),
+        of("bevy", [16; 2], oct(Snorm, Pair, plain::bevy), [BY_BEVY, SIGNED_WORDS, "+Z"]).null(0x8000),
+        of("nanite", [2, 15], oct(Unorm, Pair, plain::nanite), [BY_EPIC, PAIR, UNDEFINED]),
+        of("hdrp-oct24", [12; 2], oct(Unorm, Bytes888, plain::hdrp), [BY_HDRP, PARTED, "+Z"]).truncated(),
+        of("hdrp-oct22", [11; 2], oct(Snorm, Signs, plain::hdrp_2017), [BY_HDRP_2017, SIGNS, UNDEFINED]),
+        of("hdrp-tetra", [10; 2], Mapping::Tetrahedron, [BY_UNITY, FACE, UNDEFINED]),
+        of("cycles-packed", [16; 2], oct(Unorm, Pair, plain::cycles_packed), [BY_BLENDER, WORDS, "+Z"]),
+        of("cycles", [2, 16], oct(Unorm, Pair, plain::cycles), [BY_BRANCH, PAIR, UNDEFINED]),
+        of("draco", [2, 16], OF_DRACO, [BY_GOOGLE, S_T, "+X"]),
+        of("meshopt-oct", [2, 8], oct(Snorm, Lanes8, plain::meshopt), [BY_MESHOPT, LANES8, "+Z"]),
+        of("meshopt-oct16", [2, 16], oct(Snorm, Lanes16, plain::meshopt), [BY_MESHOPT, LANES16, "+Z"]),
+        of("openvdb", [7; 2], oct(Of126, Octant, plain::openvdb), [BY_OPENVDB, OCTANT, "+Z"]),
+        of("gltf-snorm8", [8; 2], Mapping::Snorm, [BY_GLTF, BYTES_XYZ, REFUSED]).null(0),
+        of("gltf-snorm16", [16; 2], Mapping::Snorm, [BY_GLTF, WORDS_XYZ, REFUSED]).null(0),
+    ]
+};

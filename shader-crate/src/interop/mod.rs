@@ -40,6 +40,8 @@ macro_rules! three {
     }};
 }
 
+#[cfg(not(target_family = "wasm"))]
+mod bytes;
 mod components;
 mod four_components;
 mod frames;
@@ -51,9 +53,9 @@ mod quaternion;
 mod rotations;
 mod smallest_three;
 mod tetrahedron;
+mod turn;
 
-use crate::arith::{dot, max};
-use crate::direction::{l1_norm, or_z};
+use crate::direction::or_z;
 use crate::slice::machine::Level;
 use crate::slice::{
     Coder, LengthMismatch, StrideError, Strided, Vector, decode_slice_by, decode_strided_with,
@@ -144,14 +146,15 @@ impl Format {
         let (base, bits) = name.split_once(':').map_or((name, None), |(base, bits)| (base, Some(bits)));
         let row = ROWS.iter().find(|row| row.name.eq_ignore_ascii_case(base));
         let row = row.ok_or_else(|| UnknownFormat::Name { name: name.to_owned() })?;
-        let bits = width(row.name, [row.least, row.most], bits)?;
+        let bits = width(row.name, row.widths, bits)?;
         Ok(Self { row, bits, is_plain: false })
     }
 
     /// All formats, at each of their widths.
     pub fn all() -> impl Iterator<Item = Self> {
-        ROWS.iter()
-            .flat_map(|row| (row.least..=row.most).map(move |bits| Self { row, bits, is_plain: false }))
+        ROWS.iter().flat_map(|row| {
+            (row.widths[0]..=row.widths[1]).map(move |bits| Self { row, bits, is_plain: false })
+        })
     }
 
     /// The same format with the plain encoder of the original.
@@ -253,7 +256,7 @@ impl Format {
                 lattice.nearest_code(or_z(direction.into()).0, self.bits, pole_x, layout)
             }
             Mapping::Tetrahedron if self.is_plain => tetrahedron::plain(v),
-            Mapping::Tetrahedron => tetrahedron::nearest(v),
+            Mapping::Tetrahedron => tetrahedron::Nearest.encode(direction),
             Mapping::Snorm => components::encode(v, self.bits, self.is_plain),
         }
     }
@@ -324,19 +327,19 @@ impl Format {
         vectors: &[V],
         codes: &mut [u8],
     ) -> Result<(), LengthMismatch> {
-        with_lattice!(self, !self.is_plain,
-        coder => encode_slice_by(coder, level, vectors, codes),
+        #[cfg(not(target_family = "wasm"))]
         match self.row.mapping {
-            #[cfg(not(target_family = "wasm"))]
             Mapping::Tetrahedron if !self.is_plain => {
-                encode_slice_by(InWord::<true>, level, vectors, codes)
+                return encode_slice_by(tetrahedron::Nearest, level, vectors, codes);
             }
-            #[cfg(not(target_family = "wasm"))]
             Mapping::Snorm if !self.is_plain && self.bits == 8 => {
-                encode_slice_by(InWord::<false>, level, vectors, codes)
+                return bytes::encode_slice(level, vectors, codes);
             }
-            _ => encode_slice_by(One(self), level, vectors, codes),
-        })
+            _ => {}
+        }
+        with_lattice!(self, !self.is_plain,
+            coder => encode_slice_by(coder, level, vectors, codes),
+            encode_slice_by(self, level, vectors, codes))
     }
 
     /// [`decode_slice`](Self::decode_slice) with the instructions of a given level.
@@ -349,7 +352,7 @@ impl Format {
     ) -> Result<(), LengthMismatch> {
         with_lattice!(self, true,
             coder => decode_slice_by(coder, level, codes, vectors),
-            decode_slice_by(One(self), level, codes, vectors))
+            decode_slice_by(self, level, codes, vectors))
     }
 }
 
@@ -382,44 +385,18 @@ fn parted(code: u64) -> [u32; 2] {
     [code as u32, (code >> 32) as u32]
 }
 
-/// A format as a coder of slices, one vector at a time.
-#[derive(Clone, Copy)]
-struct One(Format);
-
-impl Coder<3> for One {
+/// One vector at a time.
+impl Coder<3> for Format {
     fn bytes(self) -> usize {
-        self.0.bytes()
+        self.bytes()
     }
 
     fn encode(self, v: [f32; 3]) -> [u32; 2] {
-        self.0.encode_words(v)
+        self.encode_words(v)
     }
 
     fn decode(self, code: [u32; 2]) -> [f32; 3] {
-        self.0.decode_words(code)
-    }
-}
-
-/// Tetrahedra or three bytes as a coder of slices that writes the nearest code.
-#[cfg(not(target_family = "wasm"))]
-#[derive(Clone, Copy)]
-struct InWord<const IS_TETRAHEDRON: bool>;
-
-#[cfg(not(target_family = "wasm"))]
-impl<const IS_TETRAHEDRON: bool> Coder<3> for InWord<IS_TETRAHEDRON> {
-    #[inline(always)]
-    fn bytes(self) -> usize {
-        4
-    }
-
-    #[inline(always)]
-    fn encode(self, v: [f32; 3]) -> [u32; 2] {
-        let (v, _) = or_z(v.into());
-        if IS_TETRAHEDRON { tetrahedron::nearest(v) } else { components::nearest_bytes(v) }
-    }
-
-    fn decode(self, code: [u32; 2]) -> [f32; 3] {
-        if IS_TETRAHEDRON { tetrahedron::decode(code[0]) } else { components::decode(code, 8) }.to_array()
+        self.decode_words(code)
     }
 }
 
@@ -440,31 +417,6 @@ fn nearest_of<T>(v: Vec3, candidates: impl Iterator<Item = T>, vector: impl Fn(&
 fn around([x, y]: [i32; 2], steps: [i32; 3]) -> impl Iterator<Item = [i32; 2]> {
     steps.into_iter().flat_map(move |i| steps.map(move |j| [x + i, y + j]))
 }
-
-/// A usable vector as one of this length, whose direction is rounded by 2^-23 and less.
-#[inline(always)]
-fn of_length(v: Vec3, length: f32) -> Vec3 {
-    let v = v * (1.0 / l1_norm(v));
-    v * (length / dot(v, v).sqrt())
-}
-
-/// The square of the tangent of the angle by which a vector turns when it is moved, as a fraction whose denominator is 0 from a
-/// right angle on. In f32, of short moves, it tells codes apart that are 2^-23 of the vector's length nearer.
-#[inline(always)]
-fn turn(v: Vec3, by: Vec3) -> (f32, f32) {
-    let (length, part) = (dot(v, v), dot(by, v));
-    let along = max(length + part, 0.0);
-    (dot(by, by) * length - part * part, along * along)
-}
-
-/// True where the first of two fractions is less.
-#[inline(always)]
-fn is_less(a: (f32, f32), b: (f32, f32)) -> bool {
-    a.0 * b.1 < b.0 * a.1
-}
-
-/// The fraction that is not less than any.
-const INFINITE: (f32, f32) = (1.0, 0.0);
 
 /// The square of the tangent of the angle between two directions, infinite from a right angle on: in float64, so that it
 /// tells the codes of any format apart.

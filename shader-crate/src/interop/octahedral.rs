@@ -1,6 +1,6 @@
 //! Octahedral lattices in the numberings and layouts of other software.
 
-use super::{INFINITE, is_less, of_length, turn};
+use super::turn::{Best, Turn, of_length};
 use crate::arith::{ONE_AND_A_HALF_2_23, SIGN_BIT, dot, flip_sign, is_negative, mask, max, min, over};
 use crate::codec::storage_bytes;
 use crate::direction::{is_usable, l1_norm};
@@ -101,27 +101,20 @@ fn nearest(v: Vec3, norm: f32, m: f32, half: f32) -> Vec2 {
     let folded = min(z, 0.0);
     let d = Vec3::new((low.x + folded) - p.x, (low.y + folded) - p.y, z - p.z);
     let (square, part) = (dot(d, d), dot(d, p));
-    let right = beside(square + (2.0 * d.x + 1.0), part + p.x, length);
-    let up = beside(square + (2.0 * d.y + 1.0), part + p.y, length);
+    let right = Turn::of(length, square + (2.0 * d.x + 1.0), part + p.x);
+    let up = Turn::of(length, square + (2.0 * d.y + 1.0), part + p.y);
 
     let is_far = x + y >= sum + 1.0;
     let sign = if is_far { SIGN_BIT } else { 0 };
     let moved = (f32::from(is_far) - folded) - max(flip_sign(-1.0, sign) - z, 0.0);
     let square = square + 2.0 * ((moved * (d.x + d.y) + moved * moved) + flip_sign(d.z, sign)) + 1.0;
     let part = part + moved * (p.x + p.y) + flip_sign(p.z, sign);
-    let at = beside(square, part, length);
+    let at = Turn::of(length, square, part);
 
-    let is_right = is_less(right, at);
-    let is_up = is_less(up, if is_right { right } else { at });
+    let is_right = right.is_less(at);
+    let is_up = up.is_less(if is_right { right } else { at });
     let (to_right, to_up) = ((is_right | is_far) & !is_up, (is_far & !is_right) | is_up);
     Vec2::new(low.x + f32::from(to_right), low.y + f32::from(to_up))
-}
-
-/// The square of the tangent of a point's angle as a fraction: see [`nearest`].
-#[inline(always)]
-fn beside(square: f32, part: f32, length: f32) -> (f32, f32) {
-    let along = length + part;
-    (square * length - part * part, along * along)
 }
 
 /// The point with the signs of a direction's x and y. Of several points for one direction Draco writes: those of the square's
@@ -318,24 +311,19 @@ fn rounded(e: Vec2, one: f32, most: f32) -> Vec3 {
 fn searched(v: Vec3, at: Vec2, m: f32, most: f32) -> Vec2 {
     let v = of_length(v, most);
     // The point itself comes first: of equals it stays.
-    three!((INFINITE, at), |best, x| three!(best, |best, y| or_nearer(
-        best,
-        v,
-        at + Vec2::new(x, y),
-        m,
-        most
-    )))
-    .1
+    let none = Best::none(at);
+    let best =
+        three!(none, |best, x| three!(best, |best, y| or_nearer(best, v, at + Vec2::new(x, y), m, most)));
+    best.point
 }
 
 /// This point, or, where it lies beyond the square's border, that inside which it stands for, if its integers are nearer.
 #[cfg_attr(not(target_family = "wasm"), inline(always))]
-fn or_nearer(best: ((f32, f32), Vec2), v: Vec3, at: Vec2, m: f32, most: f32) -> ((f32, f32), Vec2) {
+fn or_nearer(best: Best<Vec2>, v: Vec3, at: Vec2, m: f32, most: f32) -> Best<Vec2> {
     let (x, y) = (at.x.abs() > m, at.y.abs() > m);
     let at = if x { Vec2::new(flip_sign(2.0 * m, at.x.to_bits() & SIGN_BIT) - at.x, -at.y) } else { at };
     let at = if y { Vec2::new(-at.x, flip_sign(2.0 * m, at.y.to_bits() & SIGN_BIT) - at.y) } else { at };
-    let turn = turn(v, rounded(at, m, most) - v);
-    if is_less(turn, best.0) { (turn, at) } else { best }
+    best.or(at, Turn::by(v, rounded(at, m, most) - v))
 }
 
 /// An octahedral format of 3 bits or more as a coder of slices, of the layout of this number.

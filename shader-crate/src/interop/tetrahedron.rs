@@ -1,7 +1,9 @@
 //! Unity's tetrahedral encoding: the face of a tetrahedron in 2 bits, and 10 bits each of x and y seen along its normal.
 
-use super::{INFINITE, is_less, of_length, turn};
+use super::turn::{Best, Turn, of_length};
 use crate::arith::{mask, max, min};
+use crate::direction::or_z;
+use crate::slice::Coder;
 use glam::{Mat3, Vec3};
 
 /// The bound of the nearest code's error: half a cell's diagonal, `sqrt(2) / 1023`, where it is seen at its flattest: a face
@@ -62,22 +64,36 @@ pub(super) fn plain(v: Vec3) -> [u32; 2] {
     code(number(places[face].x) as i32, number(places[face].y) as i32, face)
 }
 
-/// The nearest code of a usable direction: of the 3 by 3 points around its place on each face.
-#[cfg_attr(not(target_family = "wasm"), inline(always))]
-pub(super) fn nearest(v: Vec3) -> [u32; 2] {
-    let v = of_length(v, 1.0);
-    let best = on_face_or((INFINITE, (0.0, 0.0, 0)), v, 0);
-    let best = on_face_or(on_face_or(best, v, 1), v, 2);
-    let (_, (x, y, face)) = on_face_or(best, v, 3);
-    code(x as i32, y as i32, face)
+/// The encoder of the nearest codes.
+#[derive(Clone, Copy)]
+pub(super) struct Nearest;
+
+impl Coder<3> for Nearest {
+    #[inline(always)]
+    fn bytes(self) -> usize {
+        4
+    }
+
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    fn encode(self, v: [f32; 3]) -> [u32; 2] {
+        let v = of_length(or_z(v.into()).0, 1.0);
+        let best = on_face_or(Best::none((0.0, 0.0, 0)), v, 0);
+        let best = on_face_or(on_face_or(best, v, 1), v, 2);
+        let (x, y, face) = on_face_or(best, v, 3).point;
+        code(x as i32, y as i32, face)
+    }
+
+    fn decode(self, code: [u32; 2]) -> [f32; 3] {
+        decode(code[0]).to_array()
+    }
 }
 
-/// A point by its numbers and face, and the turn to it.
-type Turned = ((f32, f32), (f32, f32, usize));
+/// The nearest point by its numbers and face.
+type Found = Best<(f32, f32, usize)>;
 
-/// The nearest of the points on a face, or the one that is nearer.
+/// The nearest of the 3 by 3 points around a direction's place on a face, or the one that is nearer.
 #[cfg_attr(not(target_family = "wasm"), inline(always))]
-fn on_face_or(best: Turned, v: Vec3, face: usize) -> Turned {
+fn on_face_or(best: Found, v: Vec3, face: usize) -> Found {
     let place = on_face(v, face);
     let (x, y) = (number(place.x), number(place.y));
     three!(best, |best, i| three!(best, |best, j| or_nearer(best, place, x + i, y + j, face)))
@@ -85,8 +101,7 @@ fn on_face_or(best: Turned, v: Vec3, face: usize) -> Turned {
 
 /// This point, or, where it lies beyond the square's border, that on it, if it is nearer.
 #[cfg_attr(not(target_family = "wasm"), inline(always))]
-fn or_nearer(best: Turned, place: Vec3, x: f32, y: f32, face: usize) -> Turned {
+fn or_nearer(best: Found, place: Vec3, x: f32, y: f32, face: usize) -> Found {
     let (x, y) = (min(max(x, 0.0), MOST), min(max(y, 0.0), MOST));
-    let turn = turn(place, of_numbers(x, y) - place);
-    if is_less(turn, best.0) { (turn, (x, y, face)) } else { best }
+    best.or((x, y, face), Turn::by(place, of_numbers(x, y) - place))
 }
