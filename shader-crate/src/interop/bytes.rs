@@ -56,8 +56,9 @@ impl Coder<3> for Bytes {
 /// The largest number of a byte.
 const BYTE: f32 = 127.0;
 
-/// Angles whose squared tangents, times `BYTE` to the eighth power, differ by less may be rounded to the other order: the ray is
-/// off by 2^-23, so that two points at most 2 steps from each other get 2^-19 steps nearer or farther.
+/// Angles may be rounded to the other order whose squared tangents, times `BYTE` to the eighth power, differ by less. The ray is
+/// turned by up to 2^-23, which is 2^-16 steps: of two points 2 steps apart the squares of the distances, times `BYTE` to the
+/// sixth power, change by 2^28 against each other. The sums are rounded by less.
 const ABOUT: f32 = 536_870_912.0;
 
 /// This point, if it is valid and nearer, and whether f32 tells.
