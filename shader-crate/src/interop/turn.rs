@@ -32,7 +32,7 @@ impl Turn {
         self.0 * than.1 < than.0 * self.1
     }
 
-    /// True where the squared tangents differ by less than this part of the product of the denominators.
+    /// True where the squared tangents, times the denominators of both, differ by less than `part`.
     #[cfg(not(target_family = "wasm"))]
     #[inline(always)]
     pub(super) fn is_about(self, other: Self, part: f32) -> bool {
