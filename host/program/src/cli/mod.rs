@@ -33,12 +33,13 @@ mod snap;
 mod summary;
 mod table;
 mod texture;
+mod words;
 mod write;
 
 #[cfg(feature = "render")]
 use clap::Arg;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, CommandFactory, Parser, Subcommand};
 use std::fmt::Display;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -402,7 +403,8 @@ fn write_output(mut output: Output, bytes: &[u8]) -> Result<()> {
 
 /// Runs what the command line says.
 pub fn run() -> Result<ExitCode> {
-    match Arguments::try_parse() {
+    let words = words::options_first(&Arguments::command(), std::env::args_os());
+    match Arguments::try_parse_from(words) {
         Ok(arguments) => arguments.run(),
         // Help and the version, which clap would print to a full disk without a word.
         Err(text) if !text.use_stderr() => {
