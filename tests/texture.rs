@@ -90,6 +90,47 @@ fn files_beside_it() {
     assert_eq!(std::fs::read(folder.path().join("rough.ktx2")).unwrap()[40], 5);
 }
 
+/// A folder of maps becomes a folder of textures, each of its map's name, and one that is broken does not stop the others.
+#[test]
+fn a_folder_of_maps() {
+    let folder = tempfile::tempdir().unwrap();
+    let [maps, out] = ["maps", "out"].map(|name| folder.path().join(name));
+    std::fs::create_dir_all(maps.join("below")).unwrap();
+    std::fs::create_dir(&out).unwrap();
+    for name in ["a.b.png", "a.c.png", "below/d.png"] {
+        png(&maps.join(name), false, None);
+    }
+    std::fs::write(maps.join("notes.txt"), "not taken").unwrap();
+    let converted = |more: &[&str]| {
+        let words = [&["texture", "--json", "-", "--codec", "hemioct16"], more].concat();
+        run(words.iter().map(Into::into).chain([&maps, &out].map(|path| path.clone().into_os_string())))
+    };
+    let all = converted(&["--ending", "dds"]);
+    assert!(all.status.success(), "{}", stderr(&all));
+    let all: Value = serde_json::from_slice(&all.stdout).unwrap();
+    let written =
+        |one: &Value| Path::new(one["output"].as_str().unwrap()).file_name().map(|name| name.to_owned());
+    let names: Vec<_> = all.as_array().unwrap().iter().filter_map(written).collect();
+    assert_eq!(names, ["a.b.dds", "a.c.dds", "d.dds"]);
+    let by_itself = folder.path().join("single.dds");
+    json_of(folder.path(), "texture maps/a.b.png --codec hemioct16 single.dds");
+    assert_eq!(std::fs::read(out.join("a.b.dds")).unwrap(), std::fs::read(by_itself).unwrap());
+
+    std::fs::write(maps.join("a.c.png"), b"\x89PNG\r\n\x1a\n").unwrap();
+    let some = converted(&[]);
+    assert!(
+        !some.status.success() && stderr(&some).contains("a.c.png") && stderr(&some).contains("1 of 3"),
+        "{}",
+        stderr(&some)
+    );
+    assert!(out.join("a.b.ktx2").exists() && !out.join("a.c.ktx2").exists());
+    // Files beside the output are of one input.
+    let heat = folder.path().join("heat.png");
+    assert!(
+        stderr(&converted(&["--heat", heat.to_str().unwrap()])).contains("each by itself") && !heat.exists()
+    );
+}
+
 #[test]
 fn maps_that_a_codec_cannot_hold() {
     let folder = tempfile::tempdir().unwrap();

@@ -20,6 +20,7 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
     ("texture", "texture in.png --codec hemioct16 out.ktx2", "tangent space"),
     ("texture", "texture in.exr --codec oct32p --mips out.dds", "object space"),
     ("texture", "texture out.ktx2 decoded.png", "and back"),
+    ("texture", "texture --codec hemioct16 a.png b.tga maps", "into a folder"),
     ("write", "write a.glb --normals normals.f32 out.glb", "normals of your own"),
     ("write", "write a.glb --frames frames.npy out.glb", "with tangents"),
     ("error", "error bunny.obj", "the recommended codecs"),

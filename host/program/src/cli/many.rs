@@ -34,7 +34,7 @@ pub fn pairs(
     let mut taken = BTreeMap::new();
     for input in found {
         let out = match ending {
-            Some(ending) => out.join(input.file_stem().unwrap_or_default()).with_extension(ending),
+            Some(ending) => out.join(input.file_name().unwrap_or_default()).with_extension(ending),
             None => out.join(input.file_name().unwrap_or_default()),
         };
         check_output(&input, &out, ending.is_none())?;
@@ -53,7 +53,7 @@ pub fn pairs(
 
 /// Refuses an output that would replace the input or, if it is none, what is called a mesh: as where OUT was forgotten after
 /// `*.obj`.
-fn check_output(input: &Path, out: &Path, of_mesh: bool) -> Result<()> {
+pub fn check_output(input: &Path, out: &Path, of_mesh: bool) -> Result<()> {
     let is_input = is_same_file(input, out);
     if is_input || (is_mesh(out) && !of_mesh) {
         let what = if is_input { "the input" } else { "the name of a mesh" };

@@ -152,7 +152,8 @@ enum Command {
     /// Show your own mesh with its normals and with those that codecs decode to, on one page.
     ///
     /// For a mirror, a gloss and a matt surface: before and after, to slide between, the difference, and the error over the
-    /// surface as a heat map; with the errors of `unitvec error`. Node transforms, skins and normal maps are not applied.
+    /// surface as a heat map; with the errors of `unitvec error`. Normal maps of glTF materials are shown, as the file has them; node
+    /// transforms and skins are not applied.
     #[cfg(feature = "render")]
     #[command(after_help = examples::of("compare"), mut_args = hide_modules, mut_arg("samples", |one| one.default_value("3")))]
     Compare(compare::Arguments),

@@ -1,3 +1,4 @@
+use super::many::{check_output, each, pairs};
 use super::summary::{Options, Told, UPPER_ONLY};
 use super::{counted, degrees};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -49,13 +50,21 @@ pub struct Arguments {
     /// Bits of a channel of a png.
     #[arg(long, value_name = "8|16", default_value = "16", value_parser = PossibleValuesParser::new(["8", "16"]).try_map(|bits| bits.parse::<u32>()))]
     bits: u32,
+    /// Ending of the files that a folder OUT gets.
+    #[arg(long, value_name = "ktx2|dds|png", default_value = KINDS[0], value_parser = KINDS)]
+    ending: String,
     #[command(flatten)]
     summary: Options,
-    /// Normal map: png, jpeg, tga, exr, ktx2 or dds, the latter two without supercompression.
-    r#in: PathBuf,
-    /// Output file: .ktx2, .dds or .png.
+    /// Normal map: png, jpeg, tga, exr, ktx2 or dds, the latter two without supercompression; or a folder, whose pictures and
+    /// textures are taken, all as normal maps.
+    #[arg(required = true, num_args = 1..)]
+    r#in: Vec<PathBuf>,
+    /// Output file: .ktx2, .dds or .png; or a folder that exists, which gets a file for each input.
     out: PathBuf,
 }
+
+/// The kinds of outputs, their endings.
+const KINDS: [&str; 3] = ["ktx2", "dds", PNG];
 
 const PNG: &str = "png";
 
@@ -74,7 +83,7 @@ impl Y {
 
 /// The kind of an output, its ending.
 fn kind_of(path: &Path) -> Result<&'static str> {
-    let kind = ["ktx2", "dds", PNG].into_iter().find(|ending| has_ending(path, &[ending]));
+    let kind = KINDS.into_iter().find(|ending| has_ending(path, &[ending]));
     kind.ok_or_else(|| Error::Usage(format!("{} has to end in .ktx2, .dds or .png", path.display())))
 }
 
@@ -82,12 +91,38 @@ fn write(kind: &str, texture: &Texture) -> Result<Vec<u8>> {
     Ok(if kind == "dds" { dds::write(texture)? } else { ktx2::write(texture) })
 }
 
+fn is_picture(path: &Path) -> bool {
+    has_ending(path, &[PNG, "jpeg", "jpg", "tga", "exr", "ktx2", "dds"])
+}
+
+impl Arguments {
+    /// The file of the roughness, where it gets one.
+    fn roughness_file(&self) -> Option<&PathBuf> {
+        self.roughness.as_ref().filter(|path| path.as_os_str() != "alpha")
+    }
+}
+
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
-    let (input, out) = (&arguments.r#in, &arguments.out);
-    arguments.summary.spare(&[(input.clone(), out.clone())])?;
-    let kind = kind_of(out)?;
     let find = |id: &Option<String>| id.as_ref().map(|id| find_vector(id)).transpose();
-    let (codec, from) = (find(&arguments.codec)?, find(&arguments.from)?);
+    let codecs = (find(&arguments.codec)?, find(&arguments.from)?);
+    let pairs = pairs(&arguments.r#in, &arguments.out, is_picture, Some(&arguments.ending))?;
+    for beside in arguments.heat.iter().chain(arguments.roughness_file()) {
+        if pairs.len() > 1 {
+            let words = format!("{} would be of several inputs; convert each by itself", beside.display());
+            return Err(Error::Usage(words));
+        }
+        pairs.iter().try_for_each(|(input, _)| check_output(input, beside, false))?;
+    }
+    each(&arguments.summary, &pairs, &arguments.out, |input, out| one(arguments, codecs, input, out))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The codecs of the output and of the input, where they are given.
+type Codecs = (Option<&'static AnyCodec>, Option<&'static AnyCodec>);
+
+/// Converts an input. Returns what is told of it, and that it went to no standard output.
+fn one(arguments: &Arguments, (codec, from): Codecs, input: &Path, out: &Path) -> Result<(Summary, bool)> {
+    let kind = kind_of(out)?;
     let mut source = Input::open(input)?.texture(from)?;
     let coding = coding(arguments, kind, codec.or(source.codec.filter(|_| kind != PNG)))?;
     let is_object_space = space::is_object_space(&source.map);
@@ -115,7 +150,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let errors: Vec<f64> = pairs.map(|(v, written)| angle_deg(*v, *written)).collect();
     let max_deg = errors.iter().copied().fold(0.0, f64::max);
     write_file(out, &bytes)?;
-    if let Some(path) = arguments.roughness.as_ref().filter(|path| path.as_os_str() != "alpha") {
+    if let Some(path) = arguments.roughness_file() {
         write_file(path, &roughness(path, &levels)?)?;
     }
     if let Some(path) = &arguments.heat {
@@ -138,9 +173,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         heat: arguments.heat.clone(),
         warnings,
     };
-    let told = arguments.summary.told(summary, [input, out], 1, false);
-    arguments.summary.write(vec![told], out)?;
-    Ok(ExitCode::SUCCESS)
+    Ok((summary, false))
 }
 
 /// The coding of the output; none for the components of a png.
