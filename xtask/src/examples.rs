@@ -1,7 +1,7 @@
 //! Builds the examples and runs them, and opens the report in a browser.
 
 use crate::drivers::debian::CHROMIUM;
-use crate::{built, cache, cargo, repository, run as run_command, take};
+use crate::{built, cache, cargo, program, repository, run as run_command, take};
 use std::fs::File;
 use std::path::Path;
 use std::process::Command;
@@ -43,20 +43,18 @@ fn page(chromium: &Path) -> Result<(), String> {
 fn report(chromium: &Path) -> Result<(), String> {
     let folder = cache("report")?;
     let [report, of_sheets] = ["report.html", "sheets.html"].map(|name| folder.join(name));
-    let unitvec = |arguments: &[&str]| {
-        let mut command = cargo(&["run", "--quiet", "--package", "unitvec-host", "--bin", "unitvec", "--"]);
-        command.args(arguments);
-        command
-    };
-    run_command(unitvec(&["report", "--out"]).arg(&report))?;
-    let mut without_device = unitvec(&["report", "--no-device", "--count", "100", "--figures"]);
+    let unitvec = program()?;
+    run_command(Command::new(&unitvec).args(["report", "--out"]).arg(&report))?;
+    let mut without_device = Command::new(&unitvec);
+    without_device.args(["report", "--no-device", "--count", "100", "--figures"]);
     run_command(without_device.arg(repository().join("docs/figures")).arg("--out").arg(&of_sheets))?;
     let mut chosen = Vec::new();
     for (option, domain) in [("--choose", &[][..]), ("--hemisphere", &["--hemisphere"])] {
         let path = folder.join(format!("{}.json", option.trim_start_matches('-')));
         let file =
             File::create(&path).map_err(|error| format!("cannot write {}: {error}", path.display()))?;
-        run_command(unitvec(&["choose", "--max-error", "0.1", "--json", "-"]).args(domain).stdout(file))?;
+        let mut choose = Command::new(&unitvec);
+        run_command(choose.args(["choose", "--max-error", "0.1", "--json", "-"]).args(domain).stdout(file))?;
         chosen.extend([option.into(), path.into_os_string()]);
     }
     for (page, screenshots) in [(&report, folder.clone()), (&of_sheets, folder.join("sheets"))] {
