@@ -53,6 +53,11 @@ fn codecs_lists_the_catalogue() {
     {
         assert_eq!(types[&Some(rust_type)], id);
     }
+    // No line ends within a name.
+    let words: HashSet<&str> = table.split([' ', ',', '\n']).collect();
+    for name in ["gltf-snorm16", "frame32-or-zero", "draco:2-16", "smallest3:4-20", "spz"] {
+        assert!(words.contains(name), "{name}: {table}");
+    }
 }
 
 /// True where a JSON value is what a schema describes: of the right type, with all keys that it requires and no others.

@@ -3,7 +3,7 @@ use super::table::{self, Layout, left, right};
 use clap::Args;
 use std::fmt::Display;
 use std::process::ExitCode;
-use unitvec::interop::{FRAMES, ROTATIONS, ROWS};
+use unitvec::interop::{FRAMES, ROTATIONS, ROWS, RotationFormat};
 use unitvec_catalogue::{AnyCodec, CODECS, Domain, WRAPPED, frames, rotations, vectors};
 use unitvec_host::Result;
 
@@ -69,12 +69,12 @@ fn tables(columns: Option<usize>) -> String {
         text += &format!("\n{}", layout.heading());
         text.extend(codecs.iter().map(|codec| line_of_other(layout, codec)));
     }
-    let named = FRAMES
-        .iter()
-        .map(|format| format.name)
-        .chain(ROTATIONS.iter().map(|format| format.name))
-        .map(str::to_owned);
-    let names = ROWS.iter().map(ToString::to_string).chain(named);
+    let rotation = |RotationFormat { name, widths: [least, most], .. }: &RotationFormat| match least < most {
+        true => format!("{name}:{least}-{most}"),
+        false => (*name).to_owned(),
+    };
+    let frames = FRAMES.iter().map(|format| format.name.to_owned());
+    let names = ROWS.iter().map(ToString::to_string).chain(frames).chain(ROTATIONS.iter().map(rotation));
     let names = names.collect::<Vec<_>>().join(", ");
     let words = format!("\nformats of other software, for encode, decode, error and snap: {names}\n");
     // A list has no columns to show: lines of a length that is easy to read, on any terminal.

@@ -74,7 +74,7 @@ pub struct Arguments {
 #[allow(clippy::large_enum_variant)]
 #[derive(Subcommand)]
 enum Command {
-    /// List the codecs, of vectors and of tangent frames.
+    /// List the codecs, of vectors, tangent frames and rotations, and the formats of other software.
     Codecs(codecs::Arguments),
     /// List the Vulkan devices, and which one would be used.
     Devices(Vulkan),

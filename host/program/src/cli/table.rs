@@ -4,7 +4,7 @@ use clap::Args;
 use std::fmt::Display;
 use std::io;
 use terminal_size::{Width, terminal_size_of};
-use textwrap::Options;
+use textwrap::{Options, WordSplitter};
 use unitvec_files::shown;
 use unitvec_host::{Error, Result};
 
@@ -46,7 +46,8 @@ pub fn terminal_columns() -> Result<Option<usize>> {
 /// Lines of prose broken between words to fit; what continues a line is `indent`ed.
 pub fn wrapped(text: &str, indent: &str, columns: Option<usize>) -> String {
     let Some(columns) = columns else { return text.to_owned() };
-    let options = Options::new(columns).subsequent_indent(indent);
+    // Names have hyphens: in two parts they could be neither found nor copied.
+    let options = Options::new(columns).subsequent_indent(indent).word_splitter(WordSplitter::NoHyphenation);
     text.split('\n').map(|line| textwrap::fill(line, &options)).collect::<Vec<_>>().join("\n")
 }
 
