@@ -1,6 +1,6 @@
 //! `unitvec compare`: one whole page, its errors, and the mesh in colours.
 
-use crate::faults::fails;
+use crate::faults::{assert_fails, fails};
 use crate::snap::succeeds;
 use base64::Engine;
 use serde_json::Value;
@@ -8,6 +8,7 @@ use std::path::Path;
 use unitvec::angle_deg;
 use unitvec_catalogue::find;
 use unitvec_mesh::{FileFormat, Reach, parse};
+use unitvec_tests::program::command;
 use unitvec_tests::repository;
 
 /// The mesh, the page and the errors of `unitvec error`, which the page tells, and `--json` has; it loads nothing.
@@ -34,6 +35,35 @@ fn the_page_has_the_errors_of_error() {
         assert!(!page.contains(load), "{load}");
     }
     check_heat(folder.path(), errors["rows"][0]["max_deg"].as_f64().unwrap());
+}
+
+/// The meshes of a folder have a page each, with their own errors; the JSON has all of them.
+#[test]
+fn a_folder_of_meshes() {
+    let folder = tempfile::tempdir().unwrap();
+    let copy = |name: &str, to: &str| {
+        std::fs::copy(repository().join("host/mesh/data").join(name), folder.path().join(to)).unwrap()
+    };
+    for name in ["meshes", "pages"] {
+        std::fs::create_dir(folder.path().join(name)).unwrap();
+    }
+    copy("torus.glb", "meshes/a.b.glb");
+    copy("bunny.obj", "meshes/c.obj");
+    let line = "compare --codec oct16 meshes -o pages --json a.json --side 64 --samples 1 --view 1,0,0";
+    assert_eq!(succeeds(folder.path(), line).lines().count(), 2);
+    succeeds(folder.path(), "error --codec oct16 meshes/a.b.glb meshes/c.obj --json b.json");
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    assert_eq!(read("a.json"), read("b.json"));
+    let errors: Value = serde_json::from_str(&read("a.json")).unwrap();
+    let computed = "computed from its faces";
+    for (row, (name, lacks)) in errors["rows"].as_array().unwrap().iter().zip([("a.b", false), ("c", true)]) {
+        let page = read(&format!("pages/{name}.html"));
+        let max = format!(">{:.6}<", row["max_deg"].as_f64().unwrap());
+        assert_eq!(page.matches("<th scope=\"row\">oct16</th>").count(), 1);
+        assert!(page.contains(&max) && page.contains(computed) == lacks, "{name}: {row}");
+    }
+    let mut command = command(["compare", "--codec", "oct16", "meshes", "-o", "pages", "--ply", "heat.ply"]);
+    assert_fails(command.current_dir(folder.path()), 2, &["heat.ply", "each by itself"]);
 }
 
 /// The PLY has the vertices of the mesh, and at each the error of the first codec, of which the greatest has the last colour.

@@ -22,7 +22,7 @@ pub fn has_ending(path: &Path, endings: &[&str]) -> bool {
 }
 
 /// The name of a file in JSON: text, or, where it is not UTF-8, the list of its bytes.
-#[derive(Clone, Debug, serde::Serialize, schemars::JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, schemars::JsonSchema)]
 #[serde(untagged)]
 pub enum FileName {
     /// The name.

@@ -1,4 +1,5 @@
 use super::figures::Rendering;
+use super::many::pairs;
 use super::run::{Json, Live, close};
 use super::{Buffers, degrees, is_mesh, status_after_validation};
 use clap::Args;
@@ -18,6 +19,7 @@ use unitvec_render::figures::detail::NormalMap;
 use unitvec_render::figures::model::{Options, compare, ply};
 use unitvec_render::report::model::{Contents, html};
 use unitvec_run::backend::Cpu;
+use unitvec_vulkan::Device;
 
 #[derive(Args)]
 pub struct Arguments {
@@ -27,7 +29,7 @@ pub struct Arguments {
     /// Direction from the mesh to the eye, in its own axes; the worst of 26 if not given.
     #[arg(long, value_name = "X,Y,Z", value_parser = direction, allow_hyphen_values = true)]
     view: Option<[f32; 3]>,
-    /// Page to write.
+    /// Page to write; or a folder that exists, which gets NAME.html for each mesh.
     #[arg(short, long, value_name = "FILE", alias = "out", default_value = "compare.html")]
     output: PathBuf,
     /// Write the mesh with the first codec's errors as colours of the vertices, and in degrees as `quality`, too.
@@ -42,8 +44,9 @@ pub struct Arguments {
     json: Json,
     #[command(flatten)]
     rendering: Rendering,
-    /// Mesh file with faces: .obj, .ply, .gltf, .glb. Normal maps of glTF materials are shown.
-    mesh: PathBuf,
+    /// Mesh file with faces: .obj, .ply, .gltf, .glb; or a folder, whose meshes are taken.
+    #[arg(required = true)]
+    mesh: Vec<PathBuf>,
 }
 
 fn direction(text: &str) -> std::result::Result<[f32; 3], String> {
@@ -53,53 +56,65 @@ fn direction(text: &str) -> std::result::Result<[f32; 3], String> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
-    let Arguments { mesh, output, rendering, .. } = arguments;
-    rendering.vulkan.refuse_modules()?;
+    let vulkan = &arguments.rendering.vulkan;
+    vulkan.refuse_modules()?;
     let codecs = arguments.codec.iter().map(|id| codec(id)).collect::<Result<Vec<_>>>()?;
-    // What cannot be written is told before the work.
-    if is_mesh(output) {
-        return Err(Error::Usage(format!(
-            "{} is the name of a mesh; give the page another",
-            output.display()
-        )));
+    let pairs = pairs(&arguments.mesh, &arguments.output, is_mesh, Some("html"))?;
+    arguments.json.spare(pairs.iter().flat_map(|(mesh, page)| [mesh, page]).chain(&arguments.ply))?;
+    if let (Some(ply), true) = (&arguments.ply, pairs.len() > 1) {
+        let words = format!("{} would be of several meshes; compare each by itself", ply.display());
+        return Err(Error::Usage(words));
     }
-    arguments.json.spare([mesh, output].into_iter().chain(&arguments.ply))?;
-    let page = Output::create(output)?;
-    let is_page = page.is_stdout();
+    // What cannot be written is told before the work.
+    let pages = pairs.iter().map(|(_, page)| Ok(Output::create(page)?)).collect::<Result<Vec<_>>>()?;
+    let is_page = pages.iter().any(Output::is_stdout);
     if is_page && arguments.json.is_to_stdout() {
         return Err(Error::Usage("the page and the JSON cannot both go to the standard output".to_owned()));
     }
-    let reach = arguments.buffers.reach();
-    let shapes = Input::open(mesh)?.parse(parse_shapes, reach)?;
-    let errors = errors(mesh, &codecs, Kind { reach, ..Kind::default() })?;
+    let errors = errors(&pairs, &codecs, Kind { reach: arguments.buffers.reach(), ..Kind::default() })?;
+    let device = vulkan.device_for_graphics()?;
+    let mut told = String::new();
+    for ((mesh, name), page) in pairs.iter().zip(pages) {
+        let at = one(arguments, &codecs, &device, &errors, mesh, page)?;
+        told += &format!("compare: {}, seen from {at}\n", name.display());
+    }
+    match is_page {
+        true => arguments.json.write(&errors)?,
+        false => drop(arguments.json.write_or_print(&errors, || told)?),
+    }
+    Ok(status_after_validation(&close(device).1))
+}
+
+/// Writes the page of a mesh. Returns where it is seen from.
+fn one(
+    arguments: &Arguments,
+    codecs: &[&'static AnyCodec],
+    device: &Arc<Device>,
+    errors: &Report,
+    mesh: &Path,
+    page: Output,
+) -> Result<String> {
+    let shapes = Input::open(mesh)?.parse(parse_shapes, arguments.buffers.reach())?;
     let live = Live::new(None, "{spinner} pictures, {elapsed}", true);
-    let device = rendering.vulkan.device_for_graphics()?;
-    let Rendering { samples, source, .. } = *rendering;
+    let Rendering { samples, source, .. } = arguments.rendering;
     let (maps, told) = normal_maps(&shapes);
+    let codecs = codecs.to_vec();
     let options = Options { codecs, view: arguments.view, side: arguments.side, samples, source, maps };
-    let compared = compare(&device, &shapes, &options)?;
+    let compared = compare(device, &shapes, &options)?;
     live.finish();
     let contents = Contents {
         file: mesh.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned()),
         compared: &compared,
         is_worst: arguments.view.is_none(),
         device: device.info(),
-        errors: rows(&errors),
-        notes: [notes(&errors), told, coarseness(compared.fineness)].concat(),
+        errors: rows(errors, mesh),
+        notes: [notes(errors, mesh), told, coarseness(compared.fineness)].concat(),
     };
     super::write_output(page, html(&contents)?.as_bytes())?;
     if let (Some(path), Some(first)) = (&arguments.ply, compared.codecs.first()) {
         write_file(path, &ply(&shapes, first))?;
     }
-    let at = compared.view.map(|axis| axis.to_string()).join(",");
-    match is_page {
-        true => arguments.json.write(&errors)?,
-        false => {
-            let words = || format!("compare: {}, seen from {at}\n", output.display());
-            arguments.json.write_or_print(&errors, words)?;
-        }
-    }
-    Ok(status_after_validation(&close(device).1))
+    Ok(compared.view.map(|axis| axis.to_string()).join(","))
 }
 
 /// A codec whose errors are angles between vectors.
@@ -111,13 +126,15 @@ fn codec(id: &str) -> Result<&'static AnyCodec> {
     }
 }
 
-/// The errors of the file's vectors, as `unitvec error` measures them.
-fn errors(mesh: &Path, codecs: &[&'static AnyCodec], kind: Kind) -> Result<Report> {
-    let mut meter = Meter::new(codecs.to_vec())?;
-    let mut elements = Elements::open(mesh, Element::Vector, kind)?;
-    meter.measure(&mut Cpu, Named::new(mesh, &mut elements.floats), &mut |_| ())?;
-    let is_computed = elements.parts.is_some_and(|parts| parts.iter().any(|part| part.computed));
-    let computed = is_computed.then(|| FileName::from(mesh)).into_iter().collect();
+/// The errors of the meshes' vectors, as `unitvec error` measures them.
+fn errors(pairs: &[(PathBuf, PathBuf)], codecs: &[&'static AnyCodec], kind: Kind) -> Result<Report> {
+    let (mut meter, mut computed) = (Meter::new(codecs.to_vec())?, Vec::new());
+    for (mesh, _) in pairs {
+        let mut elements = Elements::open(mesh, Element::Vector, kind)?;
+        meter.measure(&mut Cpu, Named::new(mesh, &mut elements.floats), &mut |_| ())?;
+        let is_computed = elements.parts.is_some_and(|parts| parts.iter().any(|part| part.computed));
+        computed.extend(is_computed.then(|| FileName::from(mesh.as_path())));
+    }
     Ok(Report { computed, ..meter.report() })
 }
 
@@ -159,19 +176,26 @@ fn coarseness(fineness: f32) -> Vec<String> {
     vec![words]
 }
 
-fn rows(report: &Report) -> Vec<[String; 7]> {
+fn rows(report: &Report, mesh: &Path) -> Vec<[String; 7]> {
     let row = |row: &Row| {
         let sizes = row.errors.as_ref().map(|errors| errors.sizes.map(degrees));
         let [mean, median, p99, max] = sizes.unwrap_or([(); 4].map(|()| "-".to_owned()));
         [row.id.to_owned(), row.bits.to_string(), row.count.to_string(), mean, median, p99, max]
     };
-    report.rows.iter().map(row).collect()
+    of(report, mesh).map(row).collect()
 }
 
-fn notes(report: &Report) -> Vec<String> {
-    let left_out = report.rows.first().map_or(0, |row| row.left_out);
+/// The rows of a mesh in the report of all.
+fn of<'a>(report: &'a Report, mesh: &Path) -> impl Iterator<Item = &'a Row> {
+    let name = FileName::from(mesh);
+    report.rows.iter().filter(move |row| row.file.as_ref() == Some(&name))
+}
+
+fn notes(report: &Report, mesh: &Path) -> Vec<String> {
+    let left_out = of(report, mesh).next().map_or(0, |row| row.left_out);
+    let is_computed = report.computed.contains(&FileName::from(mesh));
     let notes = [
-        (!report.computed.is_empty(), "The file lacks normals: they are computed from its faces.".to_owned()),
+        (is_computed, "The file lacks normals: they are computed from its faces.".to_owned()),
         (left_out > 0, format!("Vectors left out, since they have no direction: {left_out}.")),
     ];
     notes.into_iter().filter(|(is_so, _)| *is_so).map(|(_, words)| words).collect()

@@ -43,6 +43,7 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
     ("choose", "choose --mirror --pixels 2160 --fov 40", "sharp reflections"),
     ("compare", "compare --codec oct16,oct24p bunny.glb", "from the worst view"),
     ("compare", "compare --codec oct16 --ply heat.ply a.obj", "a heat map"),
+    ("compare", "compare --codec oct16 meshes -o pages", "a page for each"),
     ("figures", "figures --only 1,8 --small", "two figures, in figures/"),
     ("figures", "figures --codec oct16,ico16 -o compared", "with codecs of your own"),
     ("report", "report -o report.html", "all on one page"),
