@@ -62,8 +62,12 @@ fn a_folder_of_meshes() {
         assert_eq!(page.matches("<th scope=\"row\">oct16</th>").count(), 1);
         assert!(page.contains(&max) && page.contains(computed) == lacks, "{name}: {row}");
     }
-    let mut command = command(["compare", "--codec", "oct16", "meshes", "-o", "pages", "--ply", "heat.ply"]);
-    assert_fails(command.current_dir(folder.path()), 2, &["heat.ply", "each by itself"]);
+    for (mesh, ply, words) in
+        [("meshes", "heat.ply", "each by itself"), ("meshes/c.obj", "meshes/c.obj", "is the input")]
+    {
+        let mut command = command(["compare", "--codec", "oct16", mesh, "-o", "pages", "--ply", ply]);
+        assert_fails(command.current_dir(folder.path()), 2, &[ply, words]);
+    }
 }
 
 /// The PLY has the vertices of the mesh, and at each the error of the first codec, of which the greatest has the last colour.

@@ -18,7 +18,7 @@ pub use coding::Coding;
 pub use error::{Error, Result};
 pub use format::Format;
 pub use pair::Pair;
-pub use read::{Source, kind, read};
+pub use read::{Source, has_ending, kind, read};
 
 /// A map of directions.
 #[derive(Clone, Debug, PartialEq)]

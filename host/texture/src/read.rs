@@ -53,6 +53,12 @@ pub fn kind(path: &Path, head: &[u8]) -> Option<&'static str> {
     kind.map(|(_, name)| *name)
 }
 
+/// True where the name ends as those of files that [`read`] takes.
+pub fn has_ending(path: &Path) -> bool {
+    let ending = path.extension().unwrap_or_default();
+    KINDS.iter().map(|(_, name)| *name).chain(["jpg"]).any(|name| ending.eq_ignore_ascii_case(name))
+}
+
 /// Reads a map from the bytes of a file. Its texels are codes of `codec`; or, if that is not given, of the codec that the file
 /// names; or components. Components are normalised. Those of integers are biased, but for SNORM; sRGB formats are refused.
 ///

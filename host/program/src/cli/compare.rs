@@ -1,5 +1,5 @@
 use super::figures::Rendering;
-use super::many::pairs;
+use super::many::{check_beside, pairs};
 use super::run::{Json, Live, close};
 use super::{Buffers, degrees, is_mesh, status_after_validation};
 use clap::Args;
@@ -61,10 +61,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let codecs = arguments.codec.iter().map(|id| codec(id)).collect::<Result<Vec<_>>>()?;
     let pairs = pairs(&arguments.mesh, &arguments.output, is_mesh, Some("html"))?;
     arguments.json.spare(pairs.iter().flat_map(|(mesh, page)| [mesh, page]).chain(&arguments.ply))?;
-    if let (Some(ply), true) = (&arguments.ply, pairs.len() > 1) {
-        let words = format!("{} would be of several meshes; compare each by itself", ply.display());
-        return Err(Error::Usage(words));
-    }
+    arguments.ply.iter().try_for_each(|ply| check_beside(ply, &pairs, true))?;
     // What cannot be written is told before the work.
     let pages = pairs.iter().map(|(_, page)| Ok(Output::create(page)?)).collect::<Result<Vec<_>>>()?;
     let is_page = pages.iter().any(Output::is_stdout);

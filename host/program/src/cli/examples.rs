@@ -75,16 +75,14 @@ pub fn of(command: &str) -> String {
 #[cfg(all(test, feature = "render"))]
 mod tests {
     use super::*;
-    use crate::cli::Arguments;
-    use crate::cli::words::options_first;
-    use clap::{CommandFactory, Parser};
+    use crate::cli::{Arguments, parsed};
+    use clap::CommandFactory;
 
     #[test]
     fn every_example_is_a_command_line() {
         for (command, line, _) in EXAMPLES {
             let words = ["unitvec"].into_iter().chain(line.split(' ')).map(Into::into);
-            let words = options_first(&Arguments::command(), words);
-            let error = Arguments::try_parse_from(words).err().map(|error| error.to_string());
+            let error = parsed(words).err().map(|error| error.to_string());
             assert_eq!(error, None, "{command}: {line}");
             assert!(line.starts_with(command) && of(command).lines().all(|line| line.len() <= 80), "{line}");
         }

@@ -53,7 +53,7 @@ pub fn pairs(
 
 /// Refuses an output that would replace the input or, if it is none, what is called a mesh: as where OUT was forgotten after
 /// `*.obj`.
-pub fn check_output(input: &Path, out: &Path, of_mesh: bool) -> Result<()> {
+fn check_output(input: &Path, out: &Path, of_mesh: bool) -> Result<()> {
     let is_input = is_same_file(input, out);
     if is_input || (is_mesh(out) && !of_mesh) {
         let what = if is_input { "the input" } else { "the name of a mesh" };
@@ -61,6 +61,15 @@ pub fn check_output(input: &Path, out: &Path, of_mesh: bool) -> Result<()> {
         return Err(Error::Usage(message));
     }
     Ok(())
+}
+
+/// Refuses a file beside the output where there are several inputs, which would share it, and one that would replace the input.
+pub fn check_beside(beside: &Path, pairs: &[(PathBuf, PathBuf)], of_mesh: bool) -> Result<()> {
+    if pairs.len() > 1 {
+        let words = format!("{} would be of several inputs; give each by itself", beside.display());
+        return Err(Error::Usage(words));
+    }
+    pairs.iter().try_for_each(|(input, _)| check_output(input, beside, of_mesh))
 }
 
 /// Converts each input to its output; `convert` says what is told of it, and whether it went to the standard output. One of several that fails does not stop the others.

@@ -39,7 +39,8 @@ mod write;
 #[cfg(feature = "render")]
 use clap::Arg;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{Args, CommandFactory, Parser, Subcommand};
+use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
+use std::ffi::OsString;
 use std::fmt::Display;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -402,10 +403,16 @@ fn write_output(mut output: Output, bytes: &[u8]) -> Result<()> {
     Ok(output.finish()?)
 }
 
+/// The arguments of a command line.
+fn parsed(words: impl IntoIterator<Item = OsString>) -> Result<Arguments, clap::Error> {
+    let mut command = Arguments::command();
+    let words = words::options_first(&command, words);
+    Arguments::from_arg_matches_mut(&mut command.try_get_matches_from_mut(words)?)
+}
+
 /// Runs what the command line says.
 pub fn run() -> Result<ExitCode> {
-    let words = words::options_first(&Arguments::command(), std::env::args_os());
-    match Arguments::try_parse_from(words) {
+    match parsed(std::env::args_os()) {
         Ok(arguments) => arguments.run(),
         // Help and the version, which clap would print to a full disk without a word.
         Err(text) if !text.use_stderr() => {

@@ -1,4 +1,4 @@
-use super::many::{check_output, each, pairs};
+use super::many::{check_beside, each, pairs};
 use super::summary::{Options, Told, UPPER_ONLY};
 use super::{counted, degrees};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -91,10 +91,6 @@ fn write(kind: &str, texture: &Texture) -> Result<Vec<u8>> {
     Ok(if kind == "dds" { dds::write(texture)? } else { ktx2::write(texture) })
 }
 
-fn is_picture(path: &Path) -> bool {
-    has_ending(path, &[PNG, "jpeg", "jpg", "tga", "exr", "ktx2", "dds"])
-}
-
 impl Arguments {
     /// The file of the roughness, where it gets one.
     fn roughness_file(&self) -> Option<&PathBuf> {
@@ -105,13 +101,9 @@ impl Arguments {
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let find = |id: &Option<String>| id.as_ref().map(|id| find_vector(id)).transpose();
     let codecs = (find(&arguments.codec)?, find(&arguments.from)?);
-    let pairs = pairs(&arguments.r#in, &arguments.out, is_picture, Some(&arguments.ending))?;
+    let pairs = pairs(&arguments.r#in, &arguments.out, unitvec_texture::has_ending, Some(&arguments.ending))?;
     for beside in arguments.heat.iter().chain(arguments.roughness_file()) {
-        if pairs.len() > 1 {
-            let words = format!("{} would be of several inputs; convert each by itself", beside.display());
-            return Err(Error::Usage(words));
-        }
-        pairs.iter().try_for_each(|(input, _)| check_output(input, beside, false))?;
+        check_beside(beside, &pairs, false)?;
     }
     each(&arguments.summary, &pairs, &arguments.out, |input, out| one(arguments, codecs, input, out))?;
     Ok(ExitCode::SUCCESS)
