@@ -214,7 +214,7 @@ function change() {
 async function openFile(file) {
   try {
     if (file.size > MOST_BYTES) throw new GlbError(`the file has ${file.size} bytes; this page takes ${MOST_BYTES} at most`);
-    mesh = whole(readGlb(new Uint8Array(await file.arrayBuffer())));
+    mesh = whole(await readGlb(new Uint8Array(await file.arrayBuffer()), () => unpacked("data-draco")));
     own = file.name;
     tell("");
     say(`${file.name}: ${(mesh.places.length / 3).toLocaleString("en")} vertices`);

@@ -1,6 +1,6 @@
 // The picture: camera, split and the frames that are drawn.
 
-import { multiplied } from "./glb.js";
+import { mat4 } from "gl-matrix";
 
 const FOV = 0.62;
 const MOST_PIXELS = 2_500_000;
@@ -114,14 +114,9 @@ function onKeys(element, actions) {
 
 // The matrix of clip space and the eye, from angles in radians about the origin. Depth is from 0 to 1, which both APIs take.
 function camera({ yaw, pitch, distance }, aspect) {
-  const [sy, cy, sp, cp] = [Math.sin(yaw), Math.cos(yaw), Math.sin(pitch), Math.cos(pitch)];
   // A narrow picture shows the whole object, too.
   const far = distance * Math.max(1, 1 / aspect);
-  const eye = [far * cp * sy, far * sp, far * cp * cy];
-  const near = Math.max(far - 2, 0.02);
-  const f = 1 / Math.tan(FOV / 2);
-  const depth = (far + 2) / (near - far - 2);
-  // prettier-ignore
-  const view = [cy, -sp * sy, cp * sy, 0, 0, cp, sp, 0, -sy, -sp * cy, cp * cy, 0, 0, 0, -far, 1];
-  return { clip: multiplied([f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, depth, -1, 0, 0, depth * near, 0], view), eye };
+  const eye = [far * Math.cos(pitch) * Math.sin(yaw), far * Math.sin(pitch), far * Math.cos(pitch) * Math.cos(yaw)];
+  const clip = mat4.perspectiveZO(mat4.create(), FOV, aspect, Math.max(far - 2, 0.02), far + 2);
+  return { clip: mat4.multiply(clip, clip, mat4.lookAt(mat4.create(), eye, [0, 0, 0], [0, 1, 0])), eye };
 }

@@ -1,15 +1,14 @@
 // Files that are no meshes, or say what is not so: each gets one line, and none much memory.
 
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { GlbError, readGlb } from "../glb.js";
-
-const torus = new Uint8Array(await readFile(new URL("../../host/mesh/data/torus.glb", import.meta.url)));
+import { COMPRESSIONS, compressed, torus } from "./torus.js";
 
 // A GLB of this JSON, of a text or a value, and these bytes.
 function glb(json, bin = new Uint8Array(36)) {
-  const text = new TextEncoder().encode(typeof json === "string" ? json : JSON.stringify(json));
+  const unpadded = typeof json === "string" ? json : JSON.stringify(json);
+  const text = new TextEncoder().encode(unpadded.padEnd(Math.ceil(unpadded.length / 4) * 4));
   const bytes = new Uint8Array(28 + text.length + bin.length);
   const words = [0x46546c67, 2, bytes.length, text.length, 0x4e4f534a];
   const view = new DataView(bytes.buffer);
@@ -22,6 +21,7 @@ function glb(json, bin = new Uint8Array(36)) {
 }
 
 const mesh = (more = {}, accessor = {}) => ({
+  asset: { version: "2.0" },
   meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
   accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: "VEC3", ...accessor }],
   bufferViews: [{ buffer: 0, byteLength: 36 }],
@@ -29,42 +29,74 @@ const mesh = (more = {}, accessor = {}) => ({
   ...more,
 });
 
-// A triangle in the corners 0, x, y, moved by 1 along z and turned by half about x: (0, 0, 1), (1, 0, 1), (0, -1, 1).
-test("triangles are placed as their nodes say", () => {
-  const corners = new Uint8Array(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]).buffer);
-  const nodes = [{ translation: [0, 0, 1], children: [1] }, { mesh: 0, rotation: [1, 0, 0, 0] }];
-  const { places, normals, indices } = readGlb(glb(mesh({ nodes, scenes: [{ nodes: [0] }] }), corners));
-  assert.deepEqual([[...places], normals, [...indices]], [[0, 0, 1, 1, 0, 1, 0, -1, 1], null, [0, 1, 2]]);
-  const whole = readGlb(torus);
+const indexed = (of) => ({
+  ...mesh({ meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }] }),
+  accessors: [...mesh().accessors, { bufferView: 0, componentType: 5121, count: 3, type: "SCALAR", ...of }],
+});
+
+// A triangle in the corners 0, x, y.
+const corners = new Uint8Array(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]).buffer);
+const placed = async (...nodes) => readGlb(glb(mesh({ nodes, scenes: [{ nodes: [0] }] }), corners));
+
+// Turned by half about x, and moved by 1 along z: (0, 0, 1), (1, 0, 1), (0, -1, 1).
+test("triangles are placed as their nodes say", async () => {
+  const { places, normals, indices } = await placed({ translation: [0, 0, 1], children: [1] }, { mesh: 0, rotation: [1, 0, 0, 0] });
+  assert.deepEqual([[...places], normals, [...indices]], [[0, 0, 1, 1, 0, 1, 0, -1, 1], false, [0, 1, 2]]);
+  const whole = await readGlb(torus);
   assert.equal(whole.normals.length, whole.places.length);
 });
 
-const BROKEN = {
-  empty: [new Uint8Array(), /no GLB/],
-  "of glTF 1": [Uint8Array.from(torus, (byte, at) => (at === 4 ? 1 : byte)), /glTF 1/],
-  "cut off": [torus.subarray(0, torus.length / 2), /cut off/],
-  "no JSON": [glb("{"), /no JSON/],
-  "null for JSON": [glb("null"), /no JSON/],
-  "without triangles": [glb({}), /no triangles/],
-  "a huge count": [glb(mesh({}, { count: 2 ** 31 })), /more than 4 million/],
-  "a count beyond its data": [glb(mesh({}, { count: 1000 })), /beyond its data/],
-  "a negative count": [glb(mesh({}, { count: -1 })), /accessor 0/],
-  "a stride of nothing": [glb(mesh({ bufferViews: [{ buffer: 0, byteLength: 36, byteStride: 0 }] })), /beyond its data/],
-  "a huge stride": [glb(mesh({ bufferViews: [{ buffer: 0, byteLength: 36, byteStride: 2 ** 52 }] })), /beyond its data/],
-  "data elsewhere": [glb(mesh({ buffers: [{ uri: "mesh.bin", byteLength: 36 }] })), /outside/],
-  "a circle of nodes": [glb(mesh({ nodes: [{ children: [0, 0] }], scenes: [{ nodes: [0] }] })), /back to themselves/],
-  "nodes that are none": [glb(mesh({ nodes: [], scenes: [{ nodes: [7] }] })), /no node 7/],
-  "a matrix of words": [glb(mesh({ nodes: [{ mesh: 0, matrix: "unit" }], scenes: [{ nodes: [0] }] })), /wrong matrix/],
-  compressed: [glb(mesh({ extensionsRequired: ["KHR_draco_mesh_compression"] })), /KHR_draco_mesh_compression/],
-};
+// A mirror turns the order of corners; their other order keeps the side that they are seen from.
+test("mirrored triangles show the same side", async () => {
+  const { places, indices } = await placed({ mesh: 0, scale: [1, 1, -1] });
+  assert.deepEqual([[...places].map(Math.abs), [...indices]], [[0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 2, 1]]);
+});
 
-for (const [name, [bytes, line]] of Object.entries(BROKEN)) {
-  test(`a file ${name} gets one line`, () => {
-    assert.throws(() => readGlb(bytes), (reason) => reason instanceof GlbError && line.test(reason.message) && !reason.message.includes("\n"));
+// The sum of each triangle's corners, as encoders begin triangles with another corner.
+const sums = ({ indices, ...of }, name) =>
+  Array.from({ length: indices.length }, (_, at) => [0, 1, 2].reduce((sum, k) => sum + of[name][3 * indices[at - (at % 3) + k] + (at % 3)], 0));
+
+for (const name of COMPRESSIONS) {
+  test(`files with ${name} open`, async () => {
+    const [found, plain] = [await readGlb(await compressed(name)), await readGlb(torus)];
+    assert.equal(found.indices.length, plain.indices.length);
+    for (const of of ["places", "normals"]) {
+      const [a, b] = [sums(found, of), sums(plain, of)];
+      assert.ok(a.every((x, at) => Math.abs(x - b[at]) < 0.02), of);
+    }
   });
 }
 
-test("mutated files end in a mesh or a line", () => {
+const BROKEN = {
+  empty: [new Uint8Array(), /no GLB/],
+  "of glTF 1": [Uint8Array.from(torus, (byte, at) => (at === 4 ? 1 : byte)), /no GLB/],
+  "cut off": [torus.subarray(0, torus.length / 2), /broken/],
+  "no JSON": [glb("{"), /broken/],
+  "null for JSON": [glb("null"), /broken/],
+  "without triangles": [glb({ asset: { version: "2.0" } }), /no triangles/],
+  "a huge count": [glb(mesh({}, { count: 2 ** 31 })), /more than 4 million/],
+  "a huge count without data": [glb(mesh({}, { count: 1e9, bufferView: undefined })), /more than 4 million/],
+  "a huge count of exceptions": [glb(mesh({}, { sparse: { count: 1e9 } })), /more than 4 million/],
+  "a count beyond its data": [glb(mesh({}, { count: 1000 })), /cut off/],
+  "a negative count": [glb(mesh({}, { count: -1 })), /cut off/],
+  "a huge stride": [glb(mesh({ bufferViews: [{ buffer: 0, byteLength: 36, byteStride: 2 ** 52 }] })), /broken/],
+  "data elsewhere": [glb(mesh({ buffers: [{ uri: "mesh.bin", byteLength: 36 }] })), /external buffers/],
+  "a circle of nodes": [glb(mesh({ nodes: [{ children: [0, 0] }], scenes: [{ nodes: [0] }] })), /no triangles|broken/],
+  "a circle of two nodes": [glb(mesh({ nodes: [{ children: [1] }, { children: [0] }], scenes: [{ nodes: [1] }] })), /no triangles|broken/],
+  "nodes that are none": [glb(mesh({ nodes: [], scenes: [{ nodes: [7] }] })), /broken/],
+  "a matrix of words": [glb(mesh({ nodes: [{ mesh: 0, matrix: "unit" }], scenes: [{ nodes: [0] }] })), /no number|broken/],
+  "an extension of its own": [glb(mesh({ extensionsRequired: ["MY_triangles"] })), /MY_triangles/],
+  "indices of three numbers": [glb(indexed({ type: "VEC3", componentType: 5126 })), /indices of a wrong kind/],
+  "an index beyond its vertices": [glb(indexed({ byteOffset: 13 }), corners), /vertex that is not there/],
+};
+
+for (const [name, [bytes, line]] of Object.entries(BROKEN)) {
+  test(`a file ${name} gets one line`, async () => {
+    await assert.rejects(readGlb(bytes), (reason) => reason instanceof GlbError && line.test(reason.message) && !reason.message.includes("\n"));
+  });
+}
+
+test("mutated files end in a mesh or a line", async () => {
   const json = 20 + new DataView(torus.buffer, torus.byteOffset).getUint32(12, true);
   let seed = 1;
   const random = (below) => (seed = (seed * 48271) % 2147483647) % below;
@@ -72,7 +104,7 @@ test("mutated files end in a mesh or a line", () => {
     const bytes = torus.slice();
     for (let changes = 1 + random(3); changes > 0; changes--) bytes[random(json)] = random(2) ? 48 + random(10) : random(256);
     try {
-      readGlb(bytes);
+      await readGlb(bytes);
     } catch (reason) {
       assert.ok(reason instanceof GlbError, `round ${round}: ${reason.stack}`);
     }

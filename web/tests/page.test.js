@@ -1,13 +1,15 @@
 // The page in Chromium, on both of its APIs: pictures by their content, keyboard, names, sizes.
 
 import assert from "node:assert/strict";
-import { readFile, stat } from "node:fs/promises";
+import { mkdtemp, readFile, rm, stat, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { basename, join } from "node:path";
 import { after, before, test } from "node:test";
 import { PAGE, launch, open, picture } from "./browser.js";
+import { COMPRESSIONS, TORUS, compressed } from "./torus.js";
 
 const APIS = { webgpu: "WebGPU", webgl: "WebGL 2" };
 const AXE = new URL("../node_modules/axe-core/axe.min.js", import.meta.url);
-const TORUS = new URL("../../host/mesh/data/torus.glb", import.meta.url).pathname;
 
 let browser;
 before(async () => (browser = await launch()));
@@ -172,12 +174,22 @@ test("nothing moves by itself where less motion is asked for", async () => {
 
 test("one's own mesh is shown and measured; a broken one gets a line", async () => {
   const page = await open(browser, { at: "vertex" });
+  const folder = await mkdtemp(join(tmpdir(), "unitvec-"));
+  const files = [TORUS];
+  for (const name of COMPRESSIONS) {
+    files.push(join(folder, `${name}.glb`));
+    await writeFile(files.at(-1), await compressed(name));
+  }
   const file = await page.$("#file");
-  await file.uploadFile(TORUS);
-  await page.waitForFunction(() => document.getElementById("errors").textContent.includes("your mesh"));
-  assert.equal(await text(page, "#message"), "");
+  for (const own of files) {
+    await file.uploadFile(own);
+    await page.waitForFunction((name) => document.getElementById("said").textContent.startsWith(name), {}, basename(own));
+    await page.waitForFunction(() => document.getElementById("errors").textContent.includes("your mesh"));
+    assert.equal(await text(page, "#message"), "");
+  }
+  await rm(folder, { recursive: true });
   await file.uploadFile(new URL("page.test.js", import.meta.url).pathname);
   await page.waitForFunction(() => document.getElementById("message").textContent);
-  assert.equal(await text(page, "#message"), "page.test.js: this is no GLB file: it does not begin with the letters glTF");
+  assert.match(await text(page, "#message"), /^page.test.js: this is no GLB file[^\n]*$/);
   assert.deepEqual(page.complaints, []);
 });
