@@ -67,7 +67,11 @@ fn dither_keeps_bands_from_crawling() {
 /// those that pages show, for dark ones. They are small enough for a repository.
 #[test]
 fn the_sets_are_whole_and_small() {
-    check_set(&folder(), "1 2 3 4 5 6 7 8 meyer dither errors rotations caps filtering front", 4_800_000);
+    check_set(
+        &folder(),
+        "1 2 3 4 5 6 7 8 meyer dither errors rotations caps dense filtering front",
+        4_800_000,
+    );
     check_set(&folder().join("dark"), &DARK.replace(',', " "), 1_800_000);
 }
 
@@ -187,7 +191,7 @@ fn are_current(folder: &Path, only: &str, options: &[&str]) {
 /// The pictures that take no device are those that the program draws now.
 #[test]
 fn drawn_pictures_are_current() {
-    are_current(&folder(), "2,3,4,5,errors,rotations,caps,filtering,front", &[]);
+    are_current(&folder(), "2,3,4,5,errors,rotations,caps,dense,filtering,front", &[]);
     are_current(&folder().join("dark"), "rotations,caps,filtering", &["--dark"]);
 }
 

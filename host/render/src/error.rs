@@ -40,9 +40,9 @@ pub enum Error {
     /// Samples that make no picture.
     #[error("a picture has 1 to {MAX_SAMPLES} samples in each direction of a pixel, not {0}")]
     BadSamples(u32),
-    /// The chart of the best codecs.
-    #[error("the front cannot be drawn: {0}")]
-    Front(String),
+    /// A chart.
+    #[error("the chart cannot be drawn: {0}")]
+    Chart(String),
     /// The figures of an earlier run.
     #[error(
         "{} is not of `unitvec figures`: {reason}; name another folder, or remove it and draw all figures again",

@@ -4,6 +4,7 @@ mod camera;
 mod canvas;
 mod caps;
 mod compare;
+mod dense;
 pub mod detail;
 mod dither;
 mod earlier;
@@ -72,6 +73,8 @@ pub enum Part {
     Rotations,
     /// Error maps of caps.
     Caps,
+    /// Errors of both halves of the sphere, of unequal precision.
+    Dense,
     /// Errors of components that are filtered before they are decoded.
     Filtering,
     /// Error against cost.
@@ -112,22 +115,26 @@ impl Options {
     }
 }
 
+/// A chart in black on white, in the theme's colours.
+fn themed(svg: String, theme: Theme) -> Content {
+    let [ink, paper] = [theme.ink, theme.paper].map(|[r, g, b]| format!("#{r:02X}{g:02X}{b:02X}"));
+    Content::Svg(svg.replace("#000000", &ink).replace("#FFFFFF", &paper))
+}
+
 /// The front of error against cost, as [`pareto`] draws it.
 fn front(theme: Theme) -> Result<Figure> {
-    let failed = |error: String| Error::Front(error);
+    let failed = |error: String| Error::Chart(error);
     let generation =
         find_generation(USUAL).ok_or_else(|| failed(format!("no costs of {USUAL} ship with the program")))?;
     let report = generation.shipped()?;
     let svg = pareto::svg(&report).map_err(|error| failed(error.to_string()))?;
-    let [ink, paper] = [theme.ink, theme.paper].map(|[r, g, b]| format!("#{r:02X}{g:02X}{b:02X}"));
-    let svg = svg.replace("#000000", &ink).replace("#FFFFFF", &paper);
     let caption = format!(
         "The error's bound against cost on {}, decoding and encoding, in cycles. A codec with a name is on the front of its size: none that \
          takes as much room is both finer and cheaper.",
         report.subject()
     );
     let alt = "Chart of the error's bound over cost, with the front of each size as a line";
-    let pictures = vec![Shown::new("front.svg", alt, Content::Svg(svg))];
+    let pictures = vec![Shown::new("front.svg", alt, themed(svg, theme))];
     Ok(Figure::new("front", "Error against cost", caption, pictures))
 }
 
@@ -163,6 +170,7 @@ fn drawn(part: Part, options: &Options, camera: &mut dyn Camera) -> Result<Figur
         Part::Errors => errors::errors(options),
         Part::Rotations => rotations::rotations(options),
         Part::Caps => Ok(caps::caps(options)),
+        Part::Dense => dense::trade(options),
         Part::Filtering => Ok(filtering::filtering(options)),
         Part::Front => front(options.theme),
     }
