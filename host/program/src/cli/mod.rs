@@ -62,6 +62,8 @@ use unitvec_vulkan::{Device, DeviceChoice, Instance};
 
 /// Unit-vector codecs on the CPU and on Vulkan: convert files, and show that all agree.
 ///
+/// Of commands that take IN... OUT, the last file is the output; `-o OUT` anywhere says the same.
+///
 /// Exit status: 0 if all went well, 1 if something failed or disagreed, 2 if the command line is at fault, 130
 /// if interrupted.
 #[derive(Parser)]
@@ -407,7 +409,8 @@ fn write_output(mut output: Output, bytes: &[u8]) -> Result<()> {
 fn parsed(words: impl IntoIterator<Item = OsString>) -> Result<Arguments, clap::Error> {
     let mut command = Arguments::command();
     let words = words::options_first(&command, words);
-    Arguments::from_arg_matches_mut(&mut command.try_get_matches_from_mut(words)?)
+    let mut matches = command.try_get_matches_from_mut(words).map_err(words::with_output)?;
+    Arguments::from_arg_matches_mut(&mut matches)
 }
 
 /// Runs what the command line says.

@@ -1,7 +1,7 @@
 use super::table::{self, Layout, left, right};
 use super::{chosen_formats, print};
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,7 +13,8 @@ use unitvec_run::shader::{EXACT, Edition, Language, library, text};
 
 #[derive(Args)]
 pub struct Arguments {
-    /// Language to write; --list says what each is.
+    /// Language to write; --list says what each is. unity, unreal, webgpu, metal, webgl, cuda, hip and bevy stand for the
+    /// language of their shaders.
     #[arg(long, value_name = "LANGUAGE", required_unless_present = "list", value_parser = languages())]
     language: Option<Language>,
     /// Codec to write, both halves of it, as `unitvec codecs` lists them; may be given again. All of them without this and
@@ -42,7 +43,24 @@ pub struct Arguments {
 }
 
 fn languages() -> impl TypedValueParser<Value = Language> {
-    PossibleValuesParser::new(Language::ALL.map(Language::id)).try_map(|id| id.parse::<Language>())
+    let names = |language: Language| PossibleValue::new(language.id()).aliases(users(language));
+    let is_named =
+        |language: &Language, name: &str| language.id() == name || users(*language).contains(&name);
+    PossibleValuesParser::new(Language::ALL.map(names))
+        .try_map(move |name| Language::ALL.into_iter().find(|one| is_named(one, &name)).ok_or("no language"))
+}
+
+/// Names of what a language is written for.
+const fn users(language: Language) -> &'static [&'static str] {
+    match language {
+        Language::Hlsl => &["unity", "unreal"],
+        Language::Wgsl => &["webgpu"],
+        Language::Msl => &["metal"],
+        Language::GlslEs => &["webgl"],
+        Language::Cpp => &["cuda", "hip"],
+        Language::NagaOil => &["bevy"],
+        Language::Glsl | Language::Slang | Language::Godot | Language::Wesl => &[],
+    }
 }
 
 /// No function has this name.
@@ -151,4 +169,33 @@ fn list(columns: Option<usize>) -> String {
         text += &format!("\n{group}\n{}\n", table::wrapped(&names.join(", "), "", columns.or(Some(120))));
     }
     text + &table::left_out(&[&languages, &codecs])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Parser;
+
+    #[derive(Parser)]
+    struct Line {
+        #[command(flatten)]
+        arguments: Arguments,
+    }
+
+    /// The help names all that stand for a language, and each is taken.
+    #[test]
+    fn users_stand_for_languages() {
+        let help = <Line as clap::CommandFactory>::command().render_long_help().to_string();
+        for (language, name) in
+            Language::ALL.iter().flat_map(|one| users(*one).iter().map(move |name| (one, name)))
+        {
+            assert!(
+                help.contains(&format!("{name},")) || help.contains(&format!("{name} ")),
+                "{name}: {help}"
+            );
+            let line =
+                Line::try_parse_from(["shader", "--language", name]).map(|line| line.arguments.language);
+            assert_eq!(line.ok().flatten(), Some(*language), "{name}");
+        }
+    }
 }
