@@ -8,7 +8,7 @@ use std::path::Path;
 use unitvec::angle_deg;
 use unitvec_catalogue::find;
 use unitvec_mesh::{FileFormat, Reach, parse};
-use unitvec_tests::program::command;
+use unitvec_tests::program::{command, stderr};
 use unitvec_tests::repository;
 
 /// The mesh, the page and the errors of `unitvec error`, which the page tells, and `--json` has; it loads nothing.
@@ -67,6 +67,18 @@ fn a_folder_of_meshes() {
     {
         let mut command = command(["compare", "--codec", "oct16", mesh, "-o", "pages", "--ply", ply]);
         assert_fails(command.current_dir(folder.path()), 2, &[ply, words]);
+    }
+    // A mesh that cannot be measured is told, and the others have their errors as before.
+    std::fs::write(folder.path().join("meshes/b.obj"), "v 0 0 0\n").unwrap();
+    for (line, written) in [(line, "a.json"), ("error --codec oct16 meshes --json b.json", "b.json")] {
+        let output = command(line.split(' ')).current_dir(folder.path()).output().unwrap();
+        let told = stderr(&output);
+        assert!(
+            output.status.code() == Some(1) && told.contains("b.obj has neither normals nor faces"),
+            "{told}"
+        );
+        assert!(told.ends_with("unitvec: 1 of 3 inputs failed; the others are done\n"), "{told}");
+        assert_eq!(serde_json::from_str::<Value>(&read(written)).unwrap(), errors);
     }
 }
 

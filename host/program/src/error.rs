@@ -81,7 +81,7 @@ pub enum Error {
         path: PathBuf,
     },
     /// Some of several inputs failed, and were told of.
-    #[error("{failed} of {all} inputs failed; the others are written")]
+    #[error("{failed} of {all} inputs failed{}", if failed < all { "; the others are done" } else { "" })]
     Some {
         /// Number that failed.
         failed: usize,

@@ -1,5 +1,5 @@
 use super::figures::Rendering;
-use super::many::{check_beside, pairs};
+use super::many::{Failed, check_beside, pairs};
 use super::run::{Json, Live, close};
 use super::{Buffers, degrees, is_mesh, status_after_validation};
 use clap::Args;
@@ -68,18 +68,32 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     if is_page && arguments.json.is_to_stdout() {
         return Err(Error::Usage("the page and the JSON cannot both go to the standard output".to_owned()));
     }
-    let errors = errors(&pairs, &codecs, Kind { reach: arguments.buffers.reach(), ..Kind::default() })?;
+    let (mut meter, mut computed) = (Meter::new(codecs.clone())?, Vec::new());
+    let (mut failed, mut measured) = (Failed::of(pairs.len()), Vec::new());
+    for ((mesh, name), page) in pairs.iter().zip(pages) {
+        let kind = Kind { reach: arguments.buffers.reach(), ..Kind::default() };
+        let Some(is_computed) = failed.unless(measure(&mut meter, mesh, kind))? else { continue };
+        computed.extend(is_computed.then(|| FileName::from(mesh.as_path())));
+        measured.push((mesh, name, page));
+    }
+    if measured.is_empty() {
+        return failed.end().map(|()| ExitCode::SUCCESS);
+    }
+    let errors = Report { computed, ..meter.report() };
     let device = vulkan.device_for_graphics()?;
     let mut told = String::new();
-    for ((mesh, name), page) in pairs.iter().zip(pages) {
-        let at = one(arguments, &codecs, &device, &errors, mesh, page)?;
-        told += &format!("compare: {}, seen from {at}\n", name.display());
+    for (mesh, name, page) in measured {
+        if let Some(at) = failed.unless(one(arguments, &codecs, &device, &errors, mesh, page))? {
+            told += &format!("compare: {}, seen from {at}\n", name.display());
+        }
     }
     match is_page {
         true => arguments.json.write(&errors)?,
         false => drop(arguments.json.write_or_print(&errors, || told)?),
     }
-    Ok(status_after_validation(&close(device).1))
+    let status = status_after_validation(&close(device).1);
+    failed.end()?;
+    Ok(status)
 }
 
 /// Writes the page of a mesh. Returns where it is seen from.
@@ -123,16 +137,11 @@ fn codec(id: &str) -> Result<&'static AnyCodec> {
     }
 }
 
-/// The errors of the meshes' vectors, as `unitvec error` measures them.
-fn errors(pairs: &[(PathBuf, PathBuf)], codecs: &[&'static AnyCodec], kind: Kind) -> Result<Report> {
-    let (mut meter, mut computed) = (Meter::new(codecs.to_vec())?, Vec::new());
-    for (mesh, _) in pairs {
-        let mut elements = Elements::open(mesh, Element::Vector, kind)?;
-        meter.measure(&mut Cpu, Named::new(mesh, &mut elements.floats), &mut |_| ())?;
-        let is_computed = elements.parts.is_some_and(|parts| parts.iter().any(|part| part.computed));
-        computed.extend(is_computed.then(|| FileName::from(mesh.as_path())));
-    }
-    Ok(Report { computed, ..meter.report() })
+/// Measures a mesh's vectors, as `unitvec error` does. Returns whether they are computed.
+fn measure(meter: &mut Meter, mesh: &Path, kind: Kind) -> Result<bool> {
+    let mut elements = Elements::open(mesh, Element::Vector, kind)?;
+    meter.measure(&mut Cpu, Named::new(mesh, &mut elements.floats), &mut |_| ())?;
+    Ok(elements.parts.is_some_and(|parts| parts.iter().any(|part| part.computed)))
 }
 
 /// The normal map of each shape that has one, and what is to be told of them.

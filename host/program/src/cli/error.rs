@@ -1,3 +1,4 @@
+use super::many::Failed;
 use super::run::{Json, Live};
 use super::table::{Layout, Wide, left, left_out, right, wrapped};
 use super::{Buffers, OpenBackend, Vulkan, check_backend, degrees, dtype, expect, files_of, is_mesh};
@@ -83,22 +84,30 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let work = Some(files.len() as u64);
     let live = Live::new(work, "{wide_msg} file {pos} of {len}, {elapsed}", true);
     let (mut computed, mut warnings) = (Vec::new(), Vec::new());
+    let mut failed = Failed::of(files.len());
     for path in &files {
         live.advance(1);
-        let Elements { floats: mut input, parts, is_guess, count, note } =
-            Elements::open(path, meter.element(), kind)?;
-        if parts.is_some_and(|parts| parts.iter().any(|part| part.computed)) {
+        let measured = Elements::open(path, meter.element(), kind).and_then(|mut elements| {
+            let unit = meter.element().plural();
+            let mut read = 0;
+            let mut progress = |done| {
+                read = done;
+                live.name(format!("{}: {done} {unit}", path.display()));
+            };
+            let backend = open.backend.as_mut();
+            let suspicion = meter.measure(backend, Named::new(path, &mut elements.floats), &mut progress)?;
+            Ok((elements, suspicion, read))
+        });
+        let Some((elements, suspicion, read)) = failed.unless(measured)? else { continue };
+        // It is in the report by now.
+        expect(path, elements.count, read)?;
+        if elements.parts.is_some_and(|parts| parts.iter().any(|part| part.computed)) {
             computed.push(FileName::from(path.as_path()));
         }
-        let unit = meter.element().plural();
-        let mut read = 0;
-        let suspicion = meter.measure(open.backend.as_mut(), Named::new(path, &mut input), &mut |done| {
-            read = done;
-            live.name(format!("{}: {done} {unit}", path.display()));
-        })?;
-        expect(path, count, read)?;
-        let suspicion = suspicion.filter(|found| found.applies(is_guess)).map(|found| found.to_string());
-        warnings.extend(suspicion.or(note).map(|words| shown(format_args!("{}: {words}", path.display()))));
+        let suspicion =
+            suspicion.filter(|found| found.applies(elements.is_guess)).map(|found| found.to_string());
+        let warning = suspicion.or(elements.note);
+        warnings.extend(warning.map(|words| shown(format_args!("{}: {words}", path.display()))));
     }
     live.finish();
     if let Some(original) = original {
@@ -106,8 +115,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     }
     let kind = meter.kind();
     let report = Report { computed, warnings, ..meter.report() };
-    arguments.json.write_or_print(&report, || text(&report, kind, columns))?;
-    Ok(open.close())
+    if !report.rows.is_empty() {
+        arguments.json.write_or_print(&report, || text(&report, kind, columns))?;
+    }
+    let status = open.close();
+    failed.end()?;
+    Ok(status)
 }
 
 /// Measures a file beside its original. Returns a warning where they seem to be of different orders.

@@ -72,7 +72,8 @@ pub fn check_beside(beside: &Path, pairs: &[(PathBuf, PathBuf)], of_mesh: bool) 
     pairs.iter().try_for_each(|(input, _)| check_output(input, beside, of_mesh))
 }
 
-/// Converts each input to its output; `convert` says what is told of it, and whether it went to the standard output. One of several that fails does not stop the others.
+/// Converts each input to its output; `convert` says what is told of it, and whether it went to the standard output. One of
+/// several that fails does not stop the others.
 pub fn each<S: Told>(
     summary: &Options,
     pairs: &[(PathBuf, PathBuf)],
@@ -80,20 +81,47 @@ pub fn each<S: Told>(
     mut convert: impl FnMut(&Path, &Path) -> Result<(S, bool)>,
 ) -> Result<()> {
     summary.spare(pairs)?;
-    let (mut done, mut failed) = (Vec::new(), 0);
+    let (mut done, mut failed) = (Vec::new(), Failed::of(pairs.len()));
     for (input, out) in pairs {
-        match convert(input, out) {
-            Ok((one, to_stdout)) => done.push(summary.told(one, [input, out], pairs.len(), to_stdout)),
-            Err(error) if pairs.len() == 1 => return Err(error),
-            Err(error) => {
-                failed += 1;
-                tell(error);
-            }
+        if let Some((one, to_stdout)) = failed.unless(convert(input, out))? {
+            done.push(summary.told(one, [input, out], pairs.len(), to_stdout));
         }
     }
     summary.write(done, out)?;
-    match failed {
-        0 => Ok(()),
-        _ => Err(Error::Some { failed, all: pairs.len() }),
+    failed.end()
+}
+
+/// How many inputs failed. One of several is told, and does not stop the others.
+pub struct Failed {
+    failed: usize,
+    all: usize,
+}
+
+impl Failed {
+    /// None of so many inputs.
+    pub fn of(all: usize) -> Self {
+        Self { failed: 0, all }
+    }
+
+    /// What was done with an input; `None` where that failed.
+    ///
+    /// # Errors
+    /// The failure of an only input.
+    pub fn unless<T>(&mut self, done: Result<T>) -> Result<Option<T>> {
+        match done {
+            Err(error) if self.all > 1 => {
+                self.failed += 1;
+                tell(error);
+                Ok(None)
+            }
+            done => done.map(Some),
+        }
+    }
+
+    /// # Errors
+    /// [`Error::Some`] unless none failed.
+    pub fn end(self) -> Result<()> {
+        let Self { failed, all } = self;
+        if failed == 0 { Ok(()) } else { Err(Error::Some { failed, all }) }
     }
 }

@@ -136,9 +136,9 @@ enum Command {
     /// For each file and codec, and for all files together: mean, median, 99th percentile and maximum of the angles
     /// between the vectors and what they are decoded to, in degrees, and the vector with the largest, counted from 0:
     /// in glTF over all primitives, whose offsets `encode --json` prints. Half (99 %) of the errors are at most the median
-    /// (percentile), to within 0.03 %. Vectors without a usable
-    /// direction are counted and left out. A frame's normal and tangent are measured apart; a tangent that is not
-    /// perpendicular to its normal comes back perpendicular, and the turn counts as error.
+    /// (percentile), to within 0.03 %. Vectors without a usable direction are counted and left out. A frame's normal and
+    /// tangent are measured apart; a tangent that is not perpendicular to its normal comes back perpendicular, and the turn
+    /// counts as error. With several files, one that fails does not stop the others.
     #[command(after_help = examples::of("error"))]
     Error(error::Arguments),
     /// Measure the errors of all codecs, beside the figures that the survey publishes.
@@ -156,7 +156,7 @@ enum Command {
     ///
     /// For a mirror, a gloss and a matt surface: before and after, to slide between, the difference, and the error over the
     /// surface as a heat map; with the errors of `unitvec error`. Normal maps of glTF materials are shown, as the file has them; node
-    /// transforms and skins are not applied.
+    /// transforms and skins are not applied. With several meshes, one that fails does not stop the others.
     #[cfg(feature = "render")]
     #[command(after_help = examples::of("compare"), mut_args = hide_modules, mut_arg("samples", |one| one.default_value("3")))]
     Compare(compare::Arguments),
