@@ -30,15 +30,15 @@ export async function readGlb(bytes, dracoModule) {
   const total = (countOf) => parts.reduce((sum, part) => sum + countOf(part), 0);
   const [vertices, corners] = [total(({ position }) => position.getCount()), total(cornersOf)];
   if (vertices > MOST_VERTICES || corners > MOST_CORNERS) refuseMany();
-  const hasNormals = parts.every(({ normal }) => normal);
-  const mesh = { places: new Float32Array(3 * vertices), normals: hasNormals && new Float32Array(3 * vertices), indices: new Uint32Array(corners) };
+  const [places, normals] = ["position", "normal"].map((of) => (parts.every((part) => part[of]) ? new Float32Array(3 * vertices) : null));
+  const mesh = { places, normals, indices: new Uint32Array(corners) };
   let [vertex, corner] = [0, 0];
   for (const part of parts) {
     add(mesh, part, vertex, corner);
     vertex += part.position.getCount();
     corner += cornersOf(part);
   }
-  if (!mesh.places.every(Number.isFinite)) refuse("a position of the file is infinite or no number");
+  if (!places.every(Number.isFinite)) refuse("a position of the file is infinite or no number");
   return mesh;
 }
 

@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { GlbError, readGlb } from "../glb.js";
+import { whole } from "../mesh.js";
 import { COMPRESSIONS, compressed, torus } from "./torus.js";
 
 // A GLB of this JSON, of a text or a value, and these bytes.
@@ -41,7 +42,7 @@ const placed = async (...nodes) => readGlb(glb(mesh({ nodes, scenes: [{ nodes: [
 // Turned by half about x, and moved by 1 along z: (0, 0, 1), (1, 0, 1), (0, -1, 1).
 test("triangles are placed as their nodes say", async () => {
   const { places, normals, indices } = await placed({ translation: [0, 0, 1], children: [1] }, { mesh: 0, rotation: [1, 0, 0, 0] });
-  assert.deepEqual([[...places], normals, [...indices]], [[0, 0, 1, 1, 0, 1, 0, -1, 1], false, [0, 1, 2]]);
+  assert.deepEqual([[...places], normals, [...indices]], [[0, 0, 1, 1, 0, 1, 0, -1, 1], null, [0, 1, 2]]);
   const whole = await readGlb(torus);
   assert.equal(whole.normals.length, whole.places.length);
 });
@@ -50,6 +51,13 @@ test("triangles are placed as their nodes say", async () => {
 test("mirrored triangles show the same side", async () => {
   const { places, indices } = await placed({ mesh: 0, scale: [1, 1, -1] });
   assert.deepEqual([[...places].map(Math.abs), [...indices]], [[0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 2, 1]]);
+});
+
+test("vertices without normals get those of their triangles", async () => {
+  for (const scale of [[1, 1, 1], [1, 1, -1]]) {
+    const { normals } = whole(await placed({ mesh: 0, scale }));
+    assert.deepEqual([...normals].map((x) => x + 0), [1, 2, 3].flatMap(() => [0, 0, scale[2]]));
+  }
 });
 
 // The sum of each triangle's corners, as encoders begin triangles with another corner.
