@@ -289,6 +289,20 @@ function fill() {
   document.documentElement.style.setProperty("--heat", GRADIENT);
 }
 
+// A browser whose process for the GPU has just ended, by a lost device of WebGPU, has no WebGL until the next one is there.
+async function startedWebGl() {
+  for (let tries = 1; ; tries++) {
+    // A canvas keeps its first API.
+    $("canvas").replaceWith($("canvas").cloneNode());
+    try {
+      return startWebGl($("canvas"));
+    } catch (reason) {
+      if (tries === 20) throw reason;
+    }
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+}
+
 async function start() {
   facts = await json("data-codecs");
   readAddress();
@@ -296,11 +310,7 @@ async function start() {
   const codecs = ask({ wasm: await unpacked("data-wasm") });
   const onLoss = (why) => tell(`The GPU is gone (${why}): reload the page, with #api=webgl where it happens again.`);
   gpu = state.api === "webgl" ? null : await startWebGpu($("canvas"), onLoss).catch(() => null);
-  if (!gpu) {
-    // A canvas keeps its first API.
-    $("canvas").replaceWith($("canvas").cloneNode());
-    gpu = startWebGl($("canvas"));
-  }
+  gpu ??= await startedWebGl();
   $("api").textContent = `${gpu.name} · ${facts.version}`;
   stage = startStage(gpu, $("canvas"), $("split"), state, keepAddress);
   stage.setSplit(state.split);

@@ -13,7 +13,7 @@ export async function startWebGpu(canvas, onLoss) {
   context.configure({ device, format, alphaMode: "opaque" });
   // Some browsers have a device that canvases cannot use, and lose it now.
   context.getCurrentTexture();
-  await device.queue.onSubmittedWorkDone();
+  if (await Promise.race([device.lost, device.queue.onSubmittedWorkDone()])) return null;
   device.lost.then(({ message }) => onLoss(message));
   const { VERTEX, INDEX, UNIFORM, COPY_DST } = GPUBufferUsage;
   const view = device.createBuffer({ size: 96, usage: UNIFORM | COPY_DST });

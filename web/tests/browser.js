@@ -1,6 +1,7 @@
 // Opens the page, target/web/index.html or the file of UNITVEC_PAGE, in headless Chromium: the file that UNITVEC_CHROMIUM names, with the libraries of
 // UNITVEC_CHROMIUM_LIBRARIES.
 
+import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 import { PNG } from "pngjs";
 import puppeteer from "puppeteer-core";
@@ -28,7 +29,8 @@ export async function open(browser, state = {}, { width = 1280, height = 800, fe
   await page.emulateMediaFeatures(features);
   const given = Object.entries({ turn: "0", ...state }).filter(([, value]) => value !== null);
   await page.goto(`${PAGE}#${new URLSearchParams(given)}`);
-  await page.waitForFunction("window.page");
+  const message = await (await page.waitForFunction("window.page ? ' ' : document.getElementById('message').textContent")).jsonValue();
+  assert.equal(message.trim(), "");
   return Object.assign(page, { requests, complaints });
 }
 

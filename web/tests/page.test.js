@@ -84,12 +84,12 @@ test("both APIs show the same", async () => {
   assert.ok(mean < 0.5, `${mean}`);
 });
 
-test("a browser whose WebGPU reaches no canvas gets WebGL 2", async () => {
+test("a browser whose WebGPU reaches no canvas gets WebGL 2", async (t) => {
   const other = await launch({ vulkan: false });
+  t.after(() => other.close());
   const page = await open(other);
   assert.match(await text(page, "#api"), /^WebGL 2/);
   assert.equal(await text(page, "#message"), "");
-  await other.close();
 });
 
 test("the page is one file, and asks for nothing", async () => {
