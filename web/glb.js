@@ -1,35 +1,22 @@
-// Reads the triangles of a GLB file by glTF-Transform, compressed ones too. Sizes are checked before, what they hold after.
+// Reads the triangles of a GLB file by glTF-Transform, compressed ones too.
 
-import { Accessor, Logger, Primitive, WebIO } from "@gltf-transform/core";
+import { Accessor, GLB_BUFFER, Logger, Primitive, WebIO } from "@gltf-transform/core";
 import { ALL_EXTENSIONS } from "@gltf-transform/extensions";
 import startDraco from "draco3d/draco_decoder_nodejs.js";
 import { mat3, mat4, vec3 } from "gl-matrix";
 import { MeshoptDecoder } from "meshoptimizer/decoder";
-
-export const MOST_BYTES = 512 * 2 ** 20;
-const MOST_VERTICES = 4_000_000;
-const MOST_CORNERS = 6 * MOST_VERTICES;
-// Of all accessors: attributes, animations and indices together.
-const MOST_ELEMENTS = 16 * MOST_VERTICES;
-
-// A file that the page cannot show; the message is one line.
-export class GlbError extends Error {}
-
-const refuse = (why) => {
-  throw new GlbError(why);
-};
-const refuseMany = () => refuse(`the file has more than ${MOST_VERTICES / 1e6} million vertices, or twice as many triangles: simplify it first`);
+import { GlbError, checkSize, chunks, refuse } from "./chunks.js";
 
 // The floats of all triangles in the scene: `places`, `indices` and, where every part has them, `normals`. `dracoModule` gives the
 // bytes of Draco's decoder, which Node.js finds by itself.
 export async function readGlb(bytes, dracoModule) {
   const parts = await partsOf(bytes, dracoModule).catch((reason) =>
-    refuse(reason instanceof GlbError ? reason.message : `this is no GLB file, or a broken one: ${String(reason?.message ?? reason).split("\n")[0]}`),
+    refuse(reason instanceof GlbError ? reason.message : `the file is damaged: ${String(reason?.message ?? reason).split("\n")[0]}`),
   );
   if (!parts.length) refuse("the file has no triangles");
   const total = (countOf) => parts.reduce((sum, part) => sum + countOf(part), 0);
   const [vertices, corners] = [total(({ position }) => position.getCount()), total(cornersOf)];
-  if (vertices > MOST_VERTICES || corners > MOST_CORNERS) refuseMany();
+  checkSize(vertices, corners);
   const [places, normals] = ["position", "normal"].map((of) => (parts.every((part) => part[of]) ? new Float32Array(3 * vertices) : null));
   const mesh = { places, normals, indices: new Uint32Array(corners) };
   let [vertex, corner] = [0, 0];
@@ -44,19 +31,17 @@ export async function readGlb(bytes, dracoModule) {
 
 // The triangles of the scene's meshes, with their matrices.
 async function partsOf(bytes, dracoModule) {
+  const { json, bin } = chunks(bytes);
   const io = new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS);
-  const read = await io.binaryToJSON(bytes);
-  const { accessors = [], extensionsUsed = [] } = read.json;
-  const countOf = ({ count, sparse }) => (Math.max(count, 0) || 0) + (Math.max(sparse?.count, 0) || 0);
-  if (accessors.reduce((sum, accessor) => sum + countOf(accessor), 0) > MOST_ELEMENTS) refuseMany();
   await MeshoptDecoder.ready;
   io.registerDependencies({ "meshopt.decoder": MeshoptDecoder });
-  if (extensionsUsed.includes("KHR_draco_mesh_compression")) {
+  if (json.extensionsUsed?.includes("KHR_draco_mesh_compression")) {
     const decoder = await startDraco({ wasmBinary: await dracoModule?.() });
     io.registerDependencies({ "draco3d.decoder": decoder });
   }
-  const root = (await io.readJSON(read)).getRoot();
-  if (root.listAccessors().some((accessor, at) => accessor.getCount() !== accessors[at].count)) refuse("the file is cut off");
+  // The version is that of the container, which is checked.
+  const described = { json: { ...json, asset: { version: "2.0" } }, resources: { [GLB_BUFFER]: bin } };
+  const root = (await io.readJSON(described)).getRoot();
   return instances(root).flatMap(({ mesh, matrix }) => {
     const triangles = mesh.listPrimitives().filter((primitive) => primitive.getMode() === Primitive.Mode.TRIANGLES);
     return triangles.map((primitive) => checked(primitive, matrix));

@@ -1,7 +1,8 @@
 // The page: its state, which the address keeps, and its controls.
 
+import { GlbError, MOST_BYTES } from "./chunks.js";
 import { LANGUAGES, json, textOf, unpacked } from "./code.js";
-import { GlbError, MOST_BYTES, readGlb } from "./glb.js";
+import { readGlb } from "./glb.js";
 import { frames, pebble, whole } from "./mesh.js";
 import { GRADIENT, drawSphere } from "./sphere.js";
 import { startStage } from "./stage.js";

@@ -263,6 +263,11 @@ pub struct Kind {
 }
 
 impl Elements {
+    /// True where elements of a mesh are computed from its faces.
+    pub fn are_computed(&self) -> bool {
+        self.parts.iter().flatten().any(|part| part.computed)
+    }
+
     /// Opens a file or, with `-`, the standard input: as a mesh, a texture or a NumPy array where it is one, as raw floats where
     /// [`Input::is_raw`]. With [`Kind::raw`], as raw floats in any case.
     ///

@@ -141,7 +141,7 @@ fn codec(id: &str) -> Result<&'static AnyCodec> {
 fn measure(meter: &mut Meter, mesh: &Path, kind: Kind) -> Result<bool> {
     let mut elements = Elements::open(mesh, Element::Vector, kind)?;
     meter.measure(&mut Cpu, Named::new(mesh, &mut elements.floats), &mut |_| ())?;
-    Ok(elements.parts.is_some_and(|parts| parts.iter().any(|part| part.computed)))
+    Ok(elements.are_computed())
 }
 
 /// The normal map of each shape that has one, and what is to be told of them.

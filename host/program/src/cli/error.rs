@@ -101,7 +101,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         let Some((elements, suspicion, read)) = failed.unless(measured)? else { continue };
         // It is in the report by now.
         expect(path, elements.count, read)?;
-        if elements.parts.is_some_and(|parts| parts.iter().any(|part| part.computed)) {
+        if elements.are_computed() {
             computed.push(FileName::from(path.as_path()));
         }
         let suspicion =
