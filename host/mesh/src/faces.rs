@@ -26,6 +26,30 @@ impl Fan {
     }
 }
 
+/// Splits a strip into triangles, all wound as the first; a corner below zero begins another strip.
+#[derive(Default)]
+pub(crate) struct Strip {
+    last: [i64; 2],
+    corners: usize,
+}
+
+impl Strip {
+    /// Takes the next corner; gives the triangle that it completes.
+    pub(crate) fn push(&mut self, corner: i64) -> Option<[i64; 3]> {
+        if corner < 0 {
+            *self = Self::default();
+            return None;
+        }
+        let [a, b] = self.last;
+        *self = Self { last: [b, corner], corners: self.corners + 1 };
+        match self.corners {
+            0..3 => None,
+            corners if corners % 2 == 1 => Some([a, b, corner]),
+            _ => Some([a, corner, b]),
+        }
+    }
+}
+
 /// Positions of vertices, in the precision that the file has them in: `f64` for all would take twice the memory.
 pub(crate) enum Positions {
     Single(Vec<[f32; 3]>),

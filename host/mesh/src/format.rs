@@ -34,7 +34,9 @@ impl FileFormat {
         match self {
             Self::Obj => true,
             Self::Ply => {
-                head.split(|byte| *byte == b'\n').take(2).any(|line| line.starts_with(b"format ascii"))
+                // A line ends in one of them, or in both.
+                let lines = head.split(|byte| b"\r\n".contains(byte));
+                lines.take(3).any(|line| line.starts_with(b"format ascii"))
             }
             Self::Gltf => !head.starts_with(b"glTF"),
         }

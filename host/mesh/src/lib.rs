@@ -82,7 +82,8 @@ impl Mesh {
 
 /// Tangent frames. Of glTF in the order of [`Mesh`], each pair of accessors once; of OBJ and PLY those of a [`Shape`]'s vertices.
 ///
-/// Where a file has no tangents, or a primitive none, texture coordinates give them, by MikkTSpace.
+/// Where a file has no tangents, or a primitive none, texture coordinates give them, by MikkTSpace. A primitive that has neither,
+/// in a file where another has, gets zeros.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frames {
     /// Normal, tangent and handedness of each vertex, as the file has them.
@@ -200,7 +201,7 @@ pub enum MeshError {
     NoTangents {
         /// The mesh file.
         path: PathBuf,
-        /// The first primitive without them, or what else is in the way; empty where no primitive has any.
+        /// The first primitive without them, where none has any; or what else is in the way.
         lacking: String,
     },
     /// A file without animations that rotate; OBJ and PLY have none at all.

@@ -10,7 +10,7 @@ use ply_rs_bw::ply::{
 
 use glam::DVec3;
 
-use super::faces::{Fan, Positions, Sums, resolve};
+use super::faces::{Fan, Positions, Strip, Sums, resolve};
 use super::{Mesh, MeshError, Shape, check_finite, list_of, one_part, parse_error};
 
 pub(super) const FORMAT: &str = "PLY";
@@ -22,20 +22,20 @@ const MAX_HEADER: usize = 1 << 15;
 const MAX_LINE: usize = 1 << 20;
 
 /// Reads the normals of a PLY file: `nx ny nz` of the element `vertex`, else from the lists
-/// `vertex_indices` or `vertex_index` of the element `face`. Triangle strips are not read.
+/// `vertex_indices` or `vertex_index` of the elements `face` and `tristrips`.
 pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
     let (header, mut payload) = Payload::after_header(path, bytes)?;
     check_counts(path, &header, bytes.len())?;
     let source = Source::of(&header).ok_or_else(|| MeshError::NoFaces { path: path.into() })?;
-    let (mut normals, mut sums, mut faces_before) = (Vec::new(), None, None);
+    let (mut normals, mut sums, mut faces_before) = (Vec::new(), None, Vec::new());
     for (name, element) in &header.elements {
         match (name.as_str(), source) {
             ("vertex", Source::Normals) => normals = read_normals(&mut payload, element)?,
             ("vertex", Source::Faces) => sums = Some(Sums::new(path, read_positions(&mut payload, element)?)),
-            ("face", Source::Faces) => match &mut sums {
+            (name, Source::Faces) if FACES.contains(&name) => match &mut sums {
                 Some(sums) => each_triangle(&mut payload, element, |triangle| sums.add(triangle))?,
                 None => {
-                    faces_before = Some((payload.clone(), element));
+                    faces_before.push((payload.clone(), element));
                     payload.skip(element)?;
                 }
             },
@@ -45,7 +45,7 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
     let Some(mut sums) = sums else {
         return one_part(path, normals, false);
     };
-    if let Some((mut payload, element)) = faces_before {
+    for (mut payload, element) in faces_before {
         each_triangle(&mut payload, element, |triangle| sums.add(triangle))?;
     }
     sums.into_mesh()
@@ -57,10 +57,10 @@ pub(super) fn parse_shape(path: &Path, bytes: &[u8]) -> Result<(Shape, bool), Me
     let (header, mut payload) = Payload::after_header(path, bytes)?;
     check_counts(path, &header, bytes.len())?;
     let source = Source::of(&header).ok_or_else(|| MeshError::NoFaces { path: path.into() })?;
-    let (mut shape, mut faces) = (Shape::default(), None);
+    let (mut shape, mut faces) = (Shape::default(), Vec::new());
     for (name, element) in &header.elements {
         if name != "vertex" {
-            faces = if name == "face" { Some((payload.clone(), element)) } else { faces };
+            faces.extend(FACES.contains(&name.as_str()).then(|| (payload.clone(), element)));
             payload.skip(element)?;
             continue;
         }
@@ -74,7 +74,7 @@ pub(super) fn parse_shape(path: &Path, bytes: &[u8]) -> Result<(Shape, bool), Me
             shape.texture.extend(has_texture.then_some(texture));
         }
     }
-    if let Some((mut payload, element)) = faces {
+    for (mut payload, element) in faces {
         let vertices = shape.positions.len();
         each_triangle(&mut payload, element, |triangle| {
             shape.triangles.push(resolve(path, triangle, vertices)?.map(|corner| corner as u32));
@@ -95,23 +95,36 @@ pub(super) struct Payload<'b> {
     pub(super) rest: &'b [u8],
     /// The line in an ASCII file, counted from 1.
     line: usize,
+    /// The last byte of lines.
+    line_end: u8,
 }
 
 impl<'b> Payload<'b> {
     pub(super) fn after_header(path: &'b Path, bytes: &'b [u8]) -> Result<(Header, Self), MeshError> {
-        const END: &[u8] = b"\nend_header";
+        const END: &[u8] = b"\nend_header\n";
         let head = &bytes[..bytes.len().min(MAX_HEADER)];
-        if head.len() < bytes.len() && !head.windows(END.len()).any(|bytes| bytes == END) {
+        // Old Macs, and Rhinoceros, end lines in `\r` alone.
+        let line_end = match head.iter().position(|byte| b"\r\n".contains(byte)) {
+            Some(at) if head[at] == b'\r' && head.get(at + 1) != Some(&b'\n') => b'\r',
+            _ => b'\n',
+        };
+        let (mut text, mut length, mut line) = (Vec::new(), 0, 1);
+        for row in head.split_inclusive(|byte| *byte == line_end) {
+            (length, line) = (length + row.len(), line + 1);
+            push_line(&mut text, row);
+            if text.ends_with(END) {
+                break;
+            }
+        }
+        if head.len() < bytes.len() && !text.ends_with(END) {
             return Err(parse_error(path, FORMAT, format!("no header of up to {MAX_HEADER} bytes")));
         }
-        let mut reader = Reader::new(head);
-        let header = Parser::<Skipped>::new().read_header(&mut reader);
+        let header = Parser::<Skipped>::new().read_header(&mut Reader::new(&text[..]));
         let header = header.map_err(|error| parse_error(path, FORMAT, error))?;
-        check_names(path, head, &header)?;
-        let (line, left) = (reader.line(), reader.into_inner().len());
-        let rest = &bytes[head.len() - left..];
+        check_names(path, &text, &header)?;
+        let rest = &bytes[length..];
         let encoding = header.encoding;
-        Ok((header, Self { path, encoding, rest, line }))
+        Ok((header, Self { path, encoding, rest, line, line_end }))
     }
 
     pub(super) fn next<E: PropertyAccess>(&mut self, element: &ElementDef) -> Result<E, MeshError> {
@@ -126,7 +139,7 @@ impl<'b> Payload<'b> {
 
     fn next_line<E: PropertyAccess>(&mut self, element: &ElementDef) -> Result<E, MeshError> {
         let ElementDef { name, .. } = element;
-        let end = self.rest.iter().take(MAX_LINE).position(|byte| *byte == b'\n').map(|end| end + 1);
+        let end = self.rest.iter().take(MAX_LINE).position(|byte| *byte == self.line_end).map(|end| end + 1);
         let line = match end.or_else(|| (self.rest.len() <= MAX_LINE).then_some(self.rest.len())) {
             None => Err(format!("it has more than {MAX_LINE} bytes")),
             Some(0) => Err("the file ends before it".to_owned()),
@@ -152,6 +165,16 @@ impl<'b> Payload<'b> {
     pub(super) fn error(&self, reason: String) -> MeshError {
         parse_error(self.path, FORMAT, reason)
     }
+}
+
+/// Adds a line of a header as the parser takes it: a space between words, and no comment, which may have any encoding.
+fn push_line(text: &mut Vec<u8>, line: &[u8]) {
+    let words: Vec<_> = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).collect();
+    match words.first() {
+        Some(&b"comment" | &b"obj_info") => text.extend(b"comment -"),
+        _ => text.extend(words.join(&b' ')),
+    }
+    text.push(b'\n');
 }
 
 /// Refuses names that are there twice, since the parser drops all but one of the same name.
@@ -223,8 +246,8 @@ impl Source {
         if ["nx", "ny", "nz"].iter().all(has) {
             return Some(Self::Normals);
         }
-        let face = header.elements.get("face")?;
-        let has_indices = INDICES.iter().any(|name| face.properties.contains_key(*name));
+        let mut faces = FACES.iter().filter_map(|name| header.elements.get(*name));
+        let has_indices = faces.any(|face| INDICES.iter().any(|name| face.properties.contains_key(*name)));
         (has_indices && ["x", "y", "z"].iter().all(has)).then_some(Self::Faces)
     }
 }
@@ -269,9 +292,10 @@ fn each_triangle(
 ) -> Result<(), MeshError> {
     for _ in 0..element.count {
         let Face(corners) = payload.next(element)?;
-        let mut fan = Fan::default();
+        let (mut fan, mut strip) = (Fan::default(), Strip::default());
         for corner in (0..).map_while(|at| index(&corners, at)) {
-            fan.push(corner).map_or(Ok(()), &mut each)?;
+            let triangle = if element.name == STRIPS { strip.push(corner) } else { fan.push(corner) };
+            triangle.map_or(Ok(()), &mut each)?;
         }
     }
     Ok(())
@@ -318,6 +342,12 @@ fn to_f64(property: &Property) -> Option<f64> {
         _ => property.to_f32_lossy().map(f64::from),
     }
 }
+
+/// The element of triangle strips, which is one list for many: -1 ends a strip.
+const STRIPS: &str = "tristrips";
+
+/// The elements of faces.
+const FACES: [&str; 2] = ["face", STRIPS];
 
 /// The property names in use for the corners of a face.
 const INDICES: [&str; 2] = ["vertex_indices", "vertex_index"];
@@ -445,6 +475,44 @@ mod tests {
                 assert_close(&mesh.normals, &cube_normals());
             }
         }
+    }
+
+    /// Strips give the cube's diagonals too, from one list, before the vertices or after them; a corner below zero ends a strip.
+    #[test]
+    fn strips() {
+        let corners: String = CUBE_CORNERS.iter().map(|[x, y, z]| format!("{x} {y} {z}\n")).collect();
+        let strips: Vec<_> = CUBE_FACES.iter().map(|[a, b, c, d]| format!("{b} {c} {a} {d}")).collect();
+        let list = format!("{} {}\n", 5 * strips.len() - 1, strips.join(" -1 "));
+        let vertices = "element vertex 8\nproperty float x\nproperty float y\nproperty float z\n";
+        let tristrips = "element tristrips 1\nproperty list int int vertex_indices\n";
+        for [first, second] in
+            [[(vertices, &corners), (tristrips, &list)], [(tristrips, &list), (vertices, &corners)]]
+        {
+            let [header, payload] = [first.0.to_owned() + second.0, first.1.to_owned() + second.1];
+            let file = format!("ply\nformat ascii 1.0\n{header}end_header\n{payload}");
+            assert_close(&read(file.as_bytes()).unwrap().normals, &cube_normals());
+            let (shape, _) = parse_shape(Path::new("a.ply"), file.as_bytes()).unwrap();
+            assert_eq!(shape.triangles.len(), 12);
+        }
+    }
+
+    /// Lines end as those of Windows or of old Macs, comments have any encoding, and words any space between them.
+    #[test]
+    fn headers_of_other_programs() {
+        let plain = triangle("int", "2");
+        for end in ["\r", "\r\n", " \t\n"] {
+            let text = String::from_utf8(plain.clone()).unwrap();
+            let text = text.replace('\n', end).replace("element ", " element \t");
+            let bytes = text.replace("1.0", &format!("1.0{end}comment \u{fffd}")).into_bytes();
+            let bytes: Vec<u8> = bytes.into_iter().filter(|byte| ![0xef, 0xbf].contains(byte)).collect();
+            assert_eq!(read(&bytes).unwrap().normals, [[0.0, 0.0, 1.0]; 3], "{end:?}");
+        }
+        // The first byte of the data ends no line.
+        let vertex = "element vertex 1\nproperty uchar nx\nproperty uchar ny\nproperty uchar nz\n";
+        let mut bytes = file(ENCODINGS[1], vertex, &[vec![number!(b'\n'), number!(0u8), number!(1u8)]]);
+        let end = bytes.len() - 3;
+        bytes[..end].iter_mut().filter(|byte| **byte == b'\n').for_each(|byte| *byte = b'\r');
+        assert_eq!(read(&bytes).unwrap().normals, [[10.0, 0.0, 1.0]]);
     }
 
     /// Normals of any numeric type come back as they are in every encoding, NaN too.

@@ -76,6 +76,10 @@ impl File<'_> {
     where
         [T; N]: Item,
     {
+        if accessor.view().is_none() && accessor.sparse().is_none() {
+            (0..accessor.count()).for_each(|_| each([0.0; N]));
+            return Some(());
+        }
         let vectors = Iter::<[T; N]>::new(accessor.clone(), |buffer| self.data(buffer))?;
         vectors.for_each(|vector| each(vector.map(&to_f32)));
         Some(())

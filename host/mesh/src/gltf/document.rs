@@ -1,15 +1,17 @@
 //! The parts of a document that hold geometry and rotations, as its JSON has them.
 
 use std::collections::BTreeSet;
+use std::fmt::Display;
 use std::path::Path;
 
-use ::gltf::Semantic;
 use ::gltf::accessor::Dimensions;
 use ::gltf::json;
-use ::gltf::json::validation::Checked;
+use ::gltf::json::validation::{Checked, Error, Validate};
 use ::gltf::mesh::Mode;
+use ::gltf::{Document, Semantic};
 
-use crate::MeshError;
+use super::FORMAT;
+use crate::{MeshError, parse_error};
 
 /// A mesh of a document. That of the `gltf` crate takes fifty times the text of many primitives.
 #[derive(serde::Deserialize)]
@@ -106,6 +108,8 @@ pub(super) struct Geometry {
     #[serde(default)]
     animations: Vec<Animation>,
     #[serde(default)]
+    extensions_used: Vec<String>,
+    #[serde(default)]
     extensions_required: Vec<String>,
 }
 
@@ -147,25 +151,88 @@ impl From<Layout> for AccessorText {
     }
 }
 
+/// The version of a document of any version.
+#[derive(serde::Deserialize)]
+struct Versioned {
+    asset: Version,
+}
+
+#[derive(serde::Deserialize)]
+struct Version {
+    version: Box<str>,
+}
+
 impl Geometry {
+    pub(super) fn of(path: &Path, json: &[u8]) -> Result<Self, MeshError> {
+        // Version 1 has other types everywhere, so that the version is looked for where these fail.
+        let read = json::deserialize::from_slice::<Self>(json);
+        let version = match &read {
+            Ok(geometry) => Some(geometry.asset.version.as_str().into()),
+            Err(_) => json::deserialize::from_slice(json).ok().map(|Versioned { asset }| asset.version),
+        };
+        match version {
+            Some(version) if !version.starts_with("2.") => Err(wrong_version(path, version)),
+            _ => read.map_err(|error| parse_error(path, FORMAT, error)),
+        }
+    }
+
     /// A document without what these do not depend on, so that an unknown extension of a material does not fail
     /// the validation of a mesh that can be read; its meshes; and its animations.
     pub(super) fn into_root(self) -> (json::Root, Vec<Primitives>, Vec<Animation>) {
-        const APPEARANCE: [&str; 4] = ["KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_"];
+        /// What changes no vertex of a mesh: its looks, where it stands, how often, and when.
+        const BESIDE: [&str; 12] = [
+            "KHR_materials_",
+            "KHR_texture_",
+            "EXT_texture_",
+            "MSFT_texture_",
+            "KHR_techniques_",
+            "KHR_lights_",
+            "EXT_lights_",
+            "KHR_node_",
+            "KHR_animation_",
+            "EXT_mesh_gpu_instancing",
+            "CESIUM_RTC",
+            "CESIUM_primitive_outline",
+        ];
         /// Attributes in integers, which are read here.
         const QUANTIZATION: &str = "KHR_mesh_quantization";
-        let Self { asset, accessors, buffers, buffer_views, meshes, animations, mut extensions_required } =
-            self;
+        let Self { asset, accessors, buffers, buffer_views, meshes, animations, .. } = self;
+        let (extensions_used, mut extensions_required) = (self.extensions_used, self.extensions_required);
         // The validation has a message for each extension that it does not know.
         extensions_required.sort_unstable();
         extensions_required.dedup();
         extensions_required
-            .retain(|name| name != QUANTIZATION && !APPEARANCE.iter().any(|prefix| name.starts_with(prefix)));
+            .retain(|name| name != QUANTIZATION && !BESIDE.iter().any(|prefix| name.starts_with(prefix)));
         let accessors = accessors.into_iter().map(|AccessorText(accessor)| accessor).collect();
-        let root =
-            json::Root { accessors, asset, buffers, buffer_views, extensions_required, ..Default::default() };
+        let root = json::Root {
+            accessors,
+            asset,
+            buffers,
+            buffer_views,
+            extensions_used,
+            extensions_required,
+            ..Default::default()
+        };
         (root, meshes, animations)
     }
+}
+
+/// Checks a document. An accessor without a place in a buffer is left alone: it has zeros, as the specification says.
+pub(super) fn validated(root: json::Root) -> Result<Document, ::gltf::Error> {
+    let mut errors = Vec::new();
+    root.validate(&root, json::Path::new, &mut |at, error| match (at(), error) {
+        (at, Error::Missing) if at.as_str().ends_with("].bufferView") => {}
+        fault => errors.push(fault),
+    });
+    match errors.is_empty() {
+        true => Ok(Document::from_json_without_validation(root)),
+        false => Err(::gltf::Error::Validation(errors)),
+    }
+}
+
+/// The error of a file of another version.
+pub(super) fn wrong_version(path: &Path, version: impl Display) -> MeshError {
+    parse_error(path, FORMAT, format!("its version is {version}, and 2.0 is read"))
 }
 
 /// Refuses geometry that only a decompressor can read. Where an extension is used but not required, the file has the

@@ -17,21 +17,20 @@ use std::sync::Arc;
 
 use ::gltf::accessor::{DataType, Dimensions, Item, Iter};
 use ::gltf::binary::Glb;
-use ::gltf::json;
 use ::gltf::json::validation::Checked;
 use ::gltf::mesh::Mode;
 use ::gltf::{Accessor, Buffer, Document, Semantic};
 
 use glam::Vec3;
 
-use super::faces::{Fan, Positions, Sums};
+use super::faces::{Fan, Positions, Strip, Sums};
 use super::format::without_mark;
 use super::{
     Frames, Generated, Mesh, MeshError, Part, Reach, Rotations, check_finite, list_of, parse_error, place,
     reserve,
 };
 use buffers::Content;
-use document::{Animation, Geometry, Primitive, Primitives, check_not_compressed};
+use document::{Animation, Geometry, Primitive, Primitives, check_not_compressed, wrong_version};
 
 pub(super) const FORMAT: &str = "glTF";
 
@@ -85,9 +84,11 @@ pub(super) fn parse_frames(path: &Path, bytes: &[u8], reach: Reach) -> Result<Fr
     let file = load(path, bytes, reach, &semantics)?;
     let groups = file.grouped(|primitive| Some(shape::key(primitive)))?;
     let (mut all, mut generated) = (Collected::new(&file), Generated::default());
+    let (mut first_without, mut has_tangents) = (None, false);
     for (mesh, at, primitive) in file.primitives() {
         let [normals, tangents, texture] = [Semantic::Normals, Semantic::Tangents, Semantic::TexCoords(0)]
             .map(|semantic| primitive.get(&semantic));
+        has_tangents |= tangents.or(texture).is_some();
         match (normals, tangents, texture) {
             (Some(normals), Some(tangents), _) => {
                 file.check_counts(primitive, [Semantic::Positions, Semantic::Normals])?;
@@ -101,11 +102,24 @@ pub(super) fn parse_frames(path: &Path, bytes: &[u8], reach: Reach) -> Result<Fr
                 frames.extend(shape.frames(path, -1.0, &mut generated)?);
                 Ok(())
             })?,
-            _ => return Err(file.no_tangents(mesh, at)),
+            (_, None, None) => {
+                first_without = first_without.or(Some((mesh, at)));
+                all.add(mesh, at, Accessors::Shape(shape::key(primitive)), |frames| {
+                    let shape = file.shape(primitive, &groups)?.with_normals(path)?;
+                    generated.none += shape.normals.len();
+                    frames.extend(shape.without_tangents(path)?);
+                    Ok(())
+                })?
+            }
+            (None, Some(_), _) => return Err(file.no_tangents(mesh, at)),
         }
     }
-    if all.elements.is_empty() {
-        return Err(MeshError::NoTangents { path: path.into(), lacking: String::new() });
+    match first_without {
+        Some((mesh, at)) if !has_tangents => return Err(file.no_tangents(mesh, at)),
+        None if all.elements.is_empty() => {
+            return Err(MeshError::NoTangents { path: path.into(), lacking: String::new() });
+        }
+        _ => {}
     }
     Ok(Frames { frames: all.elements, parts: all.parts, generated })
 }
@@ -219,8 +233,13 @@ pub(super) fn chunks<'b>(path: &Path, bytes: &'b [u8]) -> Result<(Chunk<'b>, Opt
     if length.is_some_and(|length| length < 12) {
         return Err(parse_error(path, FORMAT, "the GLB header gives a length below its own"));
     }
-    let Glb { json, bin, .. } = Glb::from_slice(bytes).map_err(|error| parse_error(path, FORMAT, error))?;
-    Ok((json, bin))
+    match Glb::from_slice(bytes) {
+        Ok(Glb { json, bin, .. }) => Ok((json, bin)),
+        Err(::gltf::Error::Binary(::gltf::binary::Error::Version(version))) => {
+            Err(wrong_version(path, version))
+        }
+        Err(error) => Err(parse_error(path, FORMAT, error)),
+    }
 }
 
 /// Parses and validates the parts that hold geometry.
@@ -230,17 +249,14 @@ pub(super) fn load<'p>(
     reach: Reach,
     semantics: &[Semantic],
 ) -> Result<File<'p>, MeshError> {
-    let error = |error: ::gltf::Error| parse_error(path, FORMAT, error);
     let (json, blob) = chunks(path, bytes)?;
-    let geometry: Geometry =
-        json::deserialize::from_slice(&json).map_err(|error| parse_error(path, FORMAT, error))?;
-    let version = &geometry.asset.version;
-    if !version.starts_with("2.") {
-        return Err(parse_error(path, FORMAT, format!("its version is {version}, and 2.0 is read")));
-    }
-    let (root, meshes, animations) = geometry.into_root();
+    let (root, meshes, animations) = Geometry::of(path, &json)?.into_root();
     check_not_compressed(path, &root.extensions_required)?;
-    let document = Document::from_json(root).map_err(error)?;
+    // Some files use compression without requiring it, and have nothing else.
+    if root.accessors.iter().any(|one| one.buffer_view.is_none() && one.sparse.is_none()) {
+        check_not_compressed(path, &root.extensions_used)?;
+    }
+    let document = document::validated(root).map_err(|error| parse_error(path, FORMAT, error))?;
     let mut file = File { path, document, meshes, animations, buffers: Vec::new(), size: bytes.len() };
     let used = file.used_buffers(semantics)?;
     let mut root = file.document.into_json();
@@ -460,15 +476,14 @@ impl File<'_> {
 
 /// The triangles of a primitive, wound as the specification orders them; points and lines have none.
 fn triangles(mode: Mode, corners: impl Iterator<Item = i64>) -> impl Iterator<Item = [i64; 3]> {
-    let mut fan = Fan::default();
+    let (mut fan, mut strip) = (Fan::default(), Strip::default());
     let mut last = [0; 2];
     corners.enumerate().filter_map(move |(at, corner)| {
         let [a, b] = last;
         last = [b, corner];
         match mode {
             Mode::Triangles => (at % 3 == 2).then_some([a, b, corner]),
-            Mode::TriangleStrip if at < 2 => None,
-            Mode::TriangleStrip => Some(if at % 2 == 0 { [a, b, corner] } else { [a, corner, b] }),
+            Mode::TriangleStrip => strip.push(corner),
             Mode::TriangleFan => fan.push(corner),
             Mode::Points | Mode::Lines | Mode::LineLoop | Mode::LineStrip => None,
         }

@@ -191,15 +191,21 @@ fn frames() {
     let read = |bytes: &[u8]| parse_frames(Path::new("a.glb"), bytes, Reach::Folder);
     let twice = format!("{WITH_TANGENTS},{WITH_TANGENTS}");
     let Frames { frames, parts, generated } = read(&cube(&twice)).unwrap();
-    assert_eq!((frames, generated), (expected, Generated::default()));
+    assert_eq!((&frames, generated), (&expected, Generated::default()));
     assert_eq!(
         parts.iter().map(|p| (p.primitive, p.first, p.count)).collect::<Vec<_>>(),
         [(0, 0, 8), (1, 0, 8)]
     );
     assert_eq!(super::tests::read(&cube(&twice)).unwrap().normals, cube_normals());
     for without in [WITH_NORMALS, WITHOUT_NORMALS] {
-        let result = read(&cube(&format!("{WITH_TANGENTS},{without}")));
-        let place = ": primitive 1 of mesh 0 lacks them";
+        let some = read(&cube(&format!("{WITH_TANGENTS},{without}"))).unwrap();
+        assert_eq!((some.frames.len(), some.generated), (16, Generated { none: 8, ..Generated::default() }));
+        assert_eq!(some.frames[..8], expected);
+        let normals: Vec<_> = some.frames[8..].iter().map(|[x, y, z, ..]| [*x, *y, *z]).collect();
+        assert_close(&normals, &cube_normals());
+        assert!(some.frames[8..].iter().all(|frame| frame[3..] == [0.0; 4]));
+        let result = read(&cube(&format!("{without},{without}")));
+        let place = ": primitive 0 of mesh 0 lacks them";
         assert!(
             matches!(&result, Err(MeshError::NoTangents { lacking, .. }) if lacking == place),
             "{result:?}"
@@ -239,7 +245,7 @@ fn frames_from_texture_coordinates() {
         |document: &str| parse_frames(Path::new("a.glb"), &glb(document, Some(&buffer)), Reach::Folder);
     let Frames { frames, parts, generated } = read(&document("VEC2")).unwrap();
     assert_eq!(frames, [[0.0, 0.0, 1.0, 1.0, 0.0, 0.0, -1.0]; 4]);
-    assert_eq!(generated, Generated { vertices: 4, ambiguous: 0 });
+    assert_eq!(generated, Generated { vertices: 4, ambiguous: 0, none: 0 });
     assert!(parts.iter().map(|part| (part.first, part.count, part.computed)).eq([(0, 4, true); 2]));
     for (from, to) in [("VEC2", "VEC3"), ("count\":4,\"type\":\"VEC2", "count\":3,\"type\":\"VEC2")] {
         let result = read(&document("VEC2").replace(from, to));
@@ -508,18 +514,51 @@ fn sparse_accessors() {
     }
 }
 
+/// An accessor without a place in a buffer has zeros, as many as the file could hold at most.
+#[test]
+fn accessors_without_bytes() {
+    let of = |accessor: &str| {
+        json(WITH_NORMALS, "").replacen(accessor, &accessor.replacen("\"bufferView\":1,", "", 1), 1)
+    };
+    let document = of(r#"{"bufferView":1,"componentType":5126,"count":8,"#);
+    let read = |document: &str| read(&glb(document, Some(&cube_buffer())));
+    assert_eq!(read(&document).unwrap().normals, [[0.0; 3]; 8]);
+    assert!(is_parse(&read(&document.replace(r#""count":8"#, r#""count":99999999"#))));
+    // One that nothing uses does not matter.
+    let unused = r#"{"componentType":5126,"count":8,"type":"VEC3"},{"bufferView":2,"#;
+    let document = json(WITH_NORMALS, "").replacen(r#"{"bufferView":2,"#, unused, 1);
+    assert_eq!(read(&document).unwrap().normals, cube_normals());
+}
+
+/// A file of glTF 1 is told from a damaged one, as JSON and as GLB.
+#[test]
+fn versions() {
+    let first = r#"{"asset":{"version":"1.0"},"accessors":{"a":{"count":8}},"meshes":{}}"#;
+    let error = read(first.as_bytes()).unwrap_err().to_string();
+    assert!(error.contains("its version is 1.0, and 2.0 is read"), "{error}");
+    let mut bytes = cube(WITH_NORMALS);
+    bytes[4] = 1;
+    let error = read(&bytes).unwrap_err().to_string();
+    assert!(error.contains("its version is 1, and 2.0 is read"), "{error}");
+}
+
 /// Extensions of materials and attributes of the application do not matter; compression does.
 #[test]
 fn extensions() {
     let document = json(WITH_NORMALS, "").replace(r#""NORMAL""#, r#""_FACE":2,"NORMAL""#);
     let required = |name| document.replacen('{', &format!(r#"{{"extensionsRequired":["{name}"],"#), 1);
     let read = |name| read(&glb(&required(name), Some(&cube_buffer())));
-    assert_eq!(read("KHR_materials_unlit").unwrap().normals, cube_normals());
+    for name in ["KHR_materials_unlit", "EXT_texture_webp", "EXT_mesh_gpu_instancing", "CESIUM_RTC"] {
+        assert_eq!(read(name).unwrap().normals, cube_normals());
+    }
     assert!(is_parse(&read("KHR_of_the_future")));
     assert!(matches!(read("EXT_meshopt_compression"), Err(MeshError::Compressed { .. })));
     // Where compression is not required, the file has the geometry uncompressed.
     let used = document.replacen('{', r#"{"extensionsUsed":["EXT_meshopt_compression"],"#, 1);
     assert_eq!(super::tests::read(&glb(&used, Some(&cube_buffer()))).unwrap().normals, cube_normals());
+    let used = used.replacen(r#""bufferView":1,"#, "", 1);
+    let error = super::tests::read(&glb(&used, Some(&cube_buffer())));
+    assert!(matches!(error, Err(MeshError::Compressed { .. })), "{error:?}");
 }
 
 /// Every number that the `gltf` crate would trust is checked first.

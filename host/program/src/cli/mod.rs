@@ -91,8 +91,8 @@ enum Command {
     ///
     /// A mesh without tangents gets those of MikkTSpace, where it has texture coordinates: of glTF the first set, of PLY `s t`,
     /// `u v` or `texture_u texture_v` of the vertices. The frames of OBJ are those of the different corners v/vt/vn, in the
-    /// order in which faces first use them. A vertex whose corners get different tangents keeps that of the first; the
-    /// warning counts them.
+    /// order in which faces first use them. A vertex whose corners get different tangents keeps that of the first, and one of
+    /// a primitive without texture coordinates, beside others that have them, gets zeros; the warning counts both.
     ///
     /// A vertex without a face to compute its normal from gets +Z. Vectors that seem to be something else (f64 or big endian
     /// without --dtype, 0..1, lengths far from 1; of up to a million also all x before all y) are encoded as they are, with a
