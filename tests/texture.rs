@@ -1,5 +1,6 @@
 //! `unitvec texture`: what it says of maps, and what it refuses.
 
+use base64::Engine;
 use serde_json::{Value, json};
 use std::path::Path;
 use unitvec_catalogue::find;
@@ -157,4 +158,19 @@ fn maps_that_a_codec_cannot_hold() {
         assert!(said.contains(words), "{said}");
     }
     assert!(!out.exists());
+}
+
+/// A flat map as a palette of one colour: a byte of it stands for 1909, more than of any picture without a palette.
+#[test]
+fn a_map_of_indices() {
+    /// 256 x 256 texels of (128, 128, 255), an index of one bit each.
+    const FLAT: &str = "iVBORw0KGgoAAAANSUhEUgAAAQAAAAEAAQMAAABmvDolAAAAA1BMVEWAgP9QzlGcAAAAH0lEQVR42u3BAQ0AAADCoPdPbQ43oAAAAAAA\
+        AAAAvg0hAAABYOSdlwAAAABJRU5ErkJggg==";
+    let file = base64::engine::general_purpose::STANDARD.decode(FLAT).unwrap();
+    let map = read(Path::new("flat.png"), &file, None).unwrap().map;
+    let length = (2.0 + 255.0 * 255.0_f64).sqrt();
+    let expected = [1.0, 1.0, 255.0].map(|c: f64| c / length);
+    assert_eq!(map.vectors.len(), 256 * 256);
+    assert!(map.vectors.iter().all(|v| angle_deg(v.map(f64::from), expected) < 1e-5));
+    assert!(read(Path::new("cut.png"), &file[..70], None).is_err());
 }

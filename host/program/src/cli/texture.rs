@@ -194,8 +194,9 @@ fn coding(arguments: &Arguments, kind: &str, codec: Option<&'static AnyCodec>) -
 
 /// The direction of y in the output, and the correlation that tells it where nothing else does.
 fn direction(arguments: &Arguments, source: &Source, is_object_space: bool) -> (Option<Y>, Option<f64>) {
-    /// Less is noise.
-    const CLEAR: f64 = 0.1;
+    /// Less is noise, as at the borders of baked islands: of 49 maps of published glTF files, whose y points up, 4 have -0.28 to
+    /// -0.12. Beyond it 19 are clear, and 3 at -0.9 or below, which are wrong themselves.
+    const CLEAR: f64 = 0.3;
     let named = source.y.as_ref().and_then(|name| Y::from_str(name, false).ok());
     let (y, correlation) = match arguments.y.or(named) {
         None if !is_object_space => {
