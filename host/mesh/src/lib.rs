@@ -1,5 +1,5 @@
 //! Vertex normals and tangent frames from mesh files: Wavefront OBJ, PLY and glTF 2.0; from the latter the rotations of
-//! animations as well.
+//! animations as well, from PLY those of Gaussian splats.
 //!
 //! A file's own vertex normals are passed on as they are, NaN included (but the PLY parser refuses `nan` and `inf` in
 //! ASCII files). Where a file has none, they are computed from its faces.
@@ -94,8 +94,9 @@ pub struct Frames {
     pub generated: Generated,
 }
 
-/// Rotations of the animations of a glTF file, as unit quaternions x, y, z, w: animation by animation in file order, sampler by
+/// Rotations of the animations of a glTF file, as quaternions x, y, z, w: animation by animation in file order, sampler by
 /// sampler, key by key. Tangents of cubic splines are left out. What several samplers share comes once, at the first of them.
+/// Or those of the Gaussian splats of a PLY file, in file order, of any length.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rotations {
     /// The rotations, as the file has them.
@@ -204,8 +205,10 @@ pub enum MeshError {
         /// The first primitive without them, where none has any; or what else is in the way.
         lacking: String,
     },
-    /// A file without animations that rotate; OBJ and PLY have none at all.
-    #[error("{path} has no animation of rotations; name a .gltf or .glb that has, or raw floats x, y, z, w")]
+    /// A file without animations that rotate, or a PLY without those of splats; OBJ has none at all.
+    #[error(
+        "{path} has no rotations; name a .gltf or .glb with animations of some, a .ply of Gaussian splats, or raw floats x, y, z, w"
+    )]
     NoRotations {
         /// The file.
         path: PathBuf,
@@ -332,11 +335,11 @@ pub fn parse_shapes(
     }
 }
 
-/// Reads the rotations of the animations of a file in memory, as [`parse`] does its normals.
+/// Reads the rotations of the animations of a file in memory, or of its splats, as [`parse`] does its normals.
 ///
 /// # Errors
 ///
-/// The errors of [`parse`]; [`MeshError::NoRotations`] for a file without such animations.
+/// The errors of [`parse`]; [`MeshError::NoRotations`] for a file without such rotations.
 pub fn parse_rotations(
     path: &Path,
     format: FileFormat,
@@ -345,7 +348,8 @@ pub fn parse_rotations(
 ) -> Result<Rotations, MeshError> {
     match format {
         FileFormat::Gltf => gltf::parse_rotations(path, bytes, reach),
-        FileFormat::Obj | FileFormat::Ply => Err(MeshError::NoRotations { path: path.into() }),
+        FileFormat::Ply => ply::parse_rotations(path, bytes),
+        FileFormat::Obj => Err(MeshError::NoRotations { path: path.into() }),
     }
 }
 

@@ -11,7 +11,7 @@ use ply_rs_bw::ply::{
 use glam::DVec3;
 
 use super::faces::{Fan, Positions, Strip, Sums, resolve};
-use super::{Mesh, MeshError, Shape, check_finite, list_of, one_part, parse_error};
+use super::{Mesh, MeshError, Part, Rotations, Shape, check_finite, list_of, one_part, parse_error};
 
 pub(super) const FORMAT: &str = "PLY";
 
@@ -67,7 +67,7 @@ pub(super) fn parse_shape(path: &Path, bytes: &[u8]) -> Result<(Shape, bool), Me
         let has = |names: &[&str; 2]| names.iter().all(|name| element.properties.contains_key(*name));
         let has_texture = COORDINATES.iter().any(has);
         for vertex in 0..element.count {
-            let Vertex { position, normal, texture } = payload.next(element)?;
+            let Vertex { position, normal, texture, .. } = payload.next(element)?;
             check_finite(path, vertex, position)?;
             shape.positions.push(position.as_vec3().to_array());
             shape.normals.extend((source == Source::Normals).then_some(normal));
@@ -83,6 +83,34 @@ pub(super) fn parse_shape(path: &Path, bytes: &[u8]) -> Result<(Shape, bool), Me
     }
     Ok((shape.with_normals(path)?, source == Source::Faces))
 }
+
+/// Reads the rotations of Gaussian splats, in the properties that the first program for them wrote (Kerbl et al. 2023).
+pub(super) fn parse_rotations(path: &Path, bytes: &[u8]) -> Result<Rotations, MeshError> {
+    let (header, mut payload) = Payload::after_header(path, bytes)?;
+    check_counts(path, &header, bytes.len())?;
+    let mut rotations = Vec::new();
+    let is_splat = header.elements.get("vertex").is_some_and(|vertex| has_scalars(vertex, &ROTATION));
+    for (name, element) in header.elements.iter().filter(|_| is_splat) {
+        if name != "vertex" {
+            payload.skip(element)?;
+            continue;
+        }
+        rotations = list_of(path, element.count)?;
+        for _ in 0..element.count {
+            rotations.push(payload.next::<Vertex>(element)?.rotation);
+        }
+    }
+    match rotations.len() {
+        0 => Err(MeshError::NoRotations { path: path.into() }),
+        count => {
+            let part = Part { mesh: 0, name: None, primitive: 0, first: 0, count, computed: false };
+            Ok(Rotations { rotations, parts: vec![part] })
+        }
+    }
+}
+
+/// The properties of a rotation: x, y, z and w, which comes first in the file.
+const ROTATION: [&str; 4] = ["rot_1", "rot_2", "rot_3", "rot_0"];
 
 /// The property names in use for texture coordinates.
 const COORDINATES: [[&str; 2]; 3] = [["s", "t"], ["u", "v"], ["texture_u", "texture_v"]];
@@ -229,6 +257,14 @@ pub(super) fn size(scalar: &ScalarType) -> usize {
     }
 }
 
+/// True where an element has all of these properties, as numbers.
+fn has_scalars(element: &ElementDef, names: &[&str]) -> bool {
+    names.iter().all(|name| {
+        let property = element.properties.get(*name);
+        property.is_some_and(|property| matches!(property.data_type, PropertyType::Scalar(_)))
+    })
+}
+
 /// The source of the normals.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Source {
@@ -239,16 +275,12 @@ pub(super) enum Source {
 impl Source {
     pub(super) fn of(header: &Header) -> Option<Self> {
         let vertex = header.elements.get("vertex")?;
-        let has = |name: &&str| {
-            let property = vertex.properties.get(*name);
-            property.is_some_and(|p| matches!(p.data_type, PropertyType::Scalar(_)))
-        };
-        if ["nx", "ny", "nz"].iter().all(has) {
+        if has_scalars(vertex, &["nx", "ny", "nz"]) {
             return Some(Self::Normals);
         }
         let mut faces = FACES.iter().filter_map(|name| header.elements.get(*name));
         let has_indices = faces.any(|face| INDICES.iter().any(|name| face.properties.contains_key(*name)));
-        (has_indices && ["x", "y", "z"].iter().all(has)).then_some(Self::Faces)
+        (has_indices && has_scalars(vertex, &["x", "y", "z"])).then_some(Self::Faces)
     }
 }
 
@@ -306,6 +338,7 @@ pub(super) struct Vertex {
     position: DVec3,
     pub(super) normal: [f32; 3],
     texture: [f32; 2],
+    rotation: [f32; 4],
 }
 
 impl PropertyAccess for Vertex {
@@ -324,6 +357,10 @@ impl PropertyAccess for Vertex {
             "nx" => self.normal[0] = value as f32,
             "ny" => self.normal[1] = value as f32,
             "nz" => self.normal[2] = value as f32,
+            _ if name.starts_with("rot_") => match ROTATION.iter().position(|own| *own == name) {
+                Some(at) => self.rotation[at] = value as f32,
+                None => return PropertyAccessResult::Ignored,
+            },
             _ => match COORDINATES.iter().find_map(|pair| pair.iter().position(|own| *own == name)) {
                 Some(axis) => self.texture[axis] = value as f32,
                 None => return PropertyAccessResult::Ignored,
@@ -474,6 +511,26 @@ mod tests {
                 assert_eq!(mesh.computed(), 1);
                 assert_close(&mesh.normals, &cube_normals());
             }
+        }
+    }
+
+    /// Rotations of splats come back as x, y, z, w, bit for bit, in every encoding; a file of points has none.
+    #[test]
+    fn rotations_of_splats() {
+        let names =
+            ["x", "rot_0", "rot_1", "rot_2", "rot_3"].map(|name| format!("property float {name}\n")).concat();
+        let splat = |w: f32| [9.0, w, 0.25, -2.0, f32::MIN_POSITIVE].map(|c| number!(c)).to_vec();
+        let header = format!("element vertex 2\n{names}");
+        for encoding in ENCODINGS {
+            let bytes = file(encoding, &header, &[splat(0.5), splat(-1.0)]);
+            let Rotations { rotations, parts } = parse_rotations(Path::new("a.ply"), &bytes).unwrap();
+            assert_eq!(rotations, [0.5, -1.0].map(|w| [0.25, -2.0, f32::MIN_POSITIVE, w]));
+            assert_eq!((parts.len(), parts[0].count), (1, 2));
+        }
+        for header in [header.replace("rot_3", "rot_4"), header.replace("vertex", "point")] {
+            let bytes = file(ENCODINGS[1], &header, &[splat(0.5), splat(-1.0)]);
+            let result = parse_rotations(Path::new("a.ply"), &bytes);
+            assert!(matches!(result, Err(MeshError::NoRotations { .. })), "{result:?}");
         }
     }
 

@@ -82,7 +82,9 @@ enum Command {
     /// List the Vulkan devices, and which one would be used.
     Devices(Vulkan),
     /// Encode the normals of meshes (obj, ply, gltf, glb), or their normals and tangents, NumPy arrays, or raw floats: three a
-    /// vector, seven a tangent frame.
+    /// vector, seven a tangent frame, four a rotation: x, y, z, w.
+    ///
+    /// A codec of rotations takes those of a glTF's animations, and of the Gaussian splats of a PLY.
     ///
     /// A mesh's codes lie in this order. OBJ: the `vn` lines, once each; where normals are computed, the `v` lines. PLY: the
     /// vertices. glTF: mesh by mesh in file order, then primitive by primitive, then vertex by vertex; what several
