@@ -128,20 +128,50 @@ pub(super) struct Line<'b> {
 }
 
 pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = Line<'_>> {
-    // A line may end in a CR alone; before an LF, that makes an empty one with the same number.
-    let lines = without_mark(bytes).split(|byte| *byte == b'\n').enumerate();
-    let lines = lines.flat_map(|(at, text)| text.split(|byte| *byte == b'\r').map(move |text| (at, text)));
-    lines.map(|(at, text)| {
-        let text = text.trim_ascii();
+    let (mut rest, mut number) = (without_mark(bytes), 1);
+    std::iter::from_fn(move || {
+        let ends = (!rest.is_empty()).then(|| Ends::of(rest))?;
+        let text = rest[..ends.line].trim_ascii();
         let end = text.iter().position(u8::is_ascii_whitespace).unwrap_or(text.len());
         let (keyword, text) = text.split_at(end);
-        Line { number: at + 1, keyword, text }
+        let line = Line { number, keyword, text };
+        (rest, number) = (&rest[ends.after..], number + ends.count);
+        Some(line)
     })
+}
+
+/// The end of the first line, which LF, CR or both end. A `\` before it makes a line of numbers go on; names may end in one.
+struct Ends {
+    line: usize,
+    after: usize,
+    /// Number of lines in the file.
+    count: usize,
+}
+
+impl Ends {
+    fn of(bytes: &[u8]) -> Self {
+        let first = bytes.iter().find(|byte| !b" \t".contains(byte));
+        let (mut after, mut count) = (0, 0);
+        loop {
+            let start = after;
+            let line = bytes[start..]
+                .iter()
+                .position(|byte| b"\r\n".contains(byte))
+                .map_or(bytes.len(), |at| start + at);
+            let end = if bytes[line..].starts_with(b"\r\n") { 2 } else { 1 };
+            (after, count) = (bytes.len().min(line + end), count + 1);
+            let goes_on = matches!(first, Some(b'v' | b'f')) && bytes[..line].ends_with(b"\\");
+            if !goes_on || after == bytes.len() {
+                return Self { line, after, count };
+            }
+        }
+    }
 }
 
 impl<'b> Line<'b> {
     pub(super) fn words(&self) -> impl Iterator<Item = &'b [u8]> + use<'b> {
-        self.text.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
+        let words = self.text.split(u8::is_ascii_whitespace);
+        words.map(|word| word.strip_suffix(b"\\").unwrap_or(word)).filter(|word| !word.is_empty())
     }
 
     /// The first three words as numbers; some programs write more.
@@ -197,6 +227,20 @@ mod tests {
 
     fn read(text: &str) -> Result<Mesh, MeshError> {
         parse(Path::new("a.obj"), text.as_bytes())
+    }
+
+    /// A line of numbers goes on after a `\`; a comment, or a name, that ends in one does not take the next line with it. Errors
+    /// count the lines of the file, whatever ends them.
+    #[test]
+    fn lines_that_go_on() {
+        let text = "# in C:\\meshes\\\nv 0 0 0\no a\\\nv 1 0 \\\n0\nv 0 1 0\nf 1 \\\n 2\\\n3 \\\n\n";
+        for end in ["\n", "\r\n", "\r"] {
+            let text = text.replace('\n', end);
+            assert_eq!(read(&text).unwrap().normals, [[0.0, 0.0, 1.0]; 3], "{end:?}");
+            let error = read(&format!("{text}f 1 2 x")).unwrap_err().to_string();
+            assert!(error.contains("line 11, `f"), "{error}");
+        }
+        assert!(read("v 0 0 0\nf 1 1 1 \\").is_ok());
     }
 
     /// The cube, its first faces in one object, the others in a second.
