@@ -82,26 +82,29 @@ pub fn compare(device: &Arc<Device>, shapes: &[Shape], options: &Options) -> Res
     let coded = options.codecs.iter().map(|codec| decoded(codec, &encoded(codec, &raw)?));
     let coded = coded.collect::<Result<Vec<_>>>()?;
     let detail = options.maps.iter().any(Option::is_some).then(|| Detail::new(shapes, &options.maps));
-    let own = match &detail {
-        Some(detail) => Body { normals: detail.normals(&raw), ..shapes::of_shapes(&detail.shapes) },
-        None => shapes::of_shapes(shapes),
-    };
-    let body = |normals: &Vec<[f32; 3]>| {
-        let normals = detail.as_ref().map_or_else(|| normals.clone(), |detail| detail.normals(normals));
-        Body { normals, ..own.clone() }
-    };
-    let bodies: Vec<Body> = coded.iter().map(body).collect();
+    let bare = shapes::of_shapes(shapes);
+    let bodies: Vec<Body> =
+        coded.iter().map(|normals| Body { normals: normals.clone(), ..bare.clone() }).collect();
     let view = match options.view {
         Some(view) => view,
-        None => worst_view(device, options.source, &own, &bodies)?,
+        // Without the maps, whose vectors are not coded, and which take a thousand times the triangles.
+        None => worst_view(device, options.source, &bare, &bodies)?,
+    };
+    let own = match &detail {
+        Some(detail) => Body { normals: detail.normals(&raw), ..shapes::of_shapes(&detail.shapes) },
+        None => bare,
+    };
+    let mapped = |body: Body| match &detail {
+        Some(detail) => Body { normals: detail.normals(&body.normals), ..own.clone() },
+        None => body,
     };
     let size = Size { width: options.side, height: options.side };
     let mut renderer = Renderer::new(device, options.source, size, options.samples)?;
-    let (pictures, normals) = drawn(&mut renderer, &own, view)?;
+    let (pictures, normals) = drawn(&mut renderer, own.clone(), view)?;
     let originals: Vec<Original<'_>> = pictures.iter().map(|(_, own)| Original::new(own)).collect();
     let mut codecs = Vec::new();
-    for ((codec, decoded), body) in options.codecs.iter().zip(&coded).zip(&bodies) {
-        let (coded, coded_normals) = drawn(&mut renderer, body, view)?;
+    for ((codec, decoded), body) in options.codecs.iter().zip(&coded).zip(bodies) {
+        let (coded, coded_normals) = drawn(&mut renderer, mapped(body), view)?;
         let errors_deg: Vec<f64> =
             raw.iter().zip(decoded).map(|(own, coded)| error_deg(*own, *coded)).collect();
         let greatest_deg = errors_deg.iter().copied().fold(0.0, f64::max);
@@ -130,10 +133,10 @@ type Surface = Vec<Option<Seen>>;
 /// The pictures of a body in all materials, and its surface at the pixels' centres.
 fn drawn(
     renderer: &mut Renderer,
-    body: &Body,
+    body: Body,
     view: [f32; 3],
 ) -> Result<(Vec<(Material, RgbImage)>, Surface)> {
-    renderer.show(body.clone());
+    renderer.show(body);
     let shot = |material| Shot { view: View::Model(view), ..Shot::new(material) };
     let picture = |material| Ok((material, super::Camera::picture(renderer, &shot(material))?));
     let pictures = Material::ALL.into_iter().map(picture).collect::<Result<Vec<_>>>()?;
