@@ -179,7 +179,7 @@ impl Geometry {
     /// A document without what these do not depend on, so that an unknown extension of a material does not fail
     /// the validation of a mesh that can be read; its meshes; and its animations.
     pub(super) fn into_root(self) -> (json::Root, Vec<Primitives>, Vec<Animation>) {
-        /// What changes no vertex of a mesh: its looks, where it stands, how often, and when.
+        /// Beginnings of extensions that change no vertex of a mesh, but its looks, where it stands, how often, or when.
         const BESIDE: [&str; 12] = [
             "KHR_materials_",
             "KHR_texture_",
