@@ -123,6 +123,11 @@ pub struct Part {
 }
 
 impl Part {
+    /// The part of a file that has no others.
+    fn whole(count: usize, computed: bool) -> Self {
+        Self { mesh: 0, name: None, primitive: 0, first: 0, count, computed }
+    }
+
     /// The primitive and its mesh in words.
     pub fn place(&self) -> String {
         place(self.primitive, self.mesh, self.name.as_deref())
@@ -359,8 +364,7 @@ fn one_part(path: &Path, normals: Vec<[f32; 3]>, computed: bool) -> Result<Mesh,
     if count == 0 {
         return Err(MeshError::NoFaces { path: path.into() });
     }
-    let part = Part { mesh: 0, name: None, primitive: 0, first: 0, count, computed };
-    Ok(Mesh { normals, parts: vec![part] })
+    Ok(Mesh { normals, parts: vec![Part::whole(count, computed)] })
 }
 
 /// Makes room for so many more elements. A file's counts are checked against its size before.

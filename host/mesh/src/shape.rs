@@ -46,8 +46,7 @@ pub(crate) fn one_part(path: &Path, (shape, computed): (Shape, bool)) -> Result<
     let count = shape.positions.len();
     let mut generated = Generated::default();
     let frames = shape.frames(path, 1.0, &mut generated)?;
-    let part = Part { mesh: 0, name: None, primitive: 0, first: 0, count, computed };
-    Ok(Frames { frames, parts: vec![part], generated })
+    Ok(Frames { frames, parts: vec![Part::whole(count, computed)], generated })
 }
 
 /// Tangents that a file did not have.
@@ -93,14 +92,19 @@ impl Shape {
     }
 
     /// Frames with tangents by MikkTSpace (Mikkelsen 2008, <http://www.mikktspace.com>), without one at vertices that no
-    /// triangle with an area uses. `up` is 1 where v grows upwards in the texture, as in OBJ, and -1 for glTF.
+    /// triangle with an area uses, and where there are no texture coordinates. `up` is 1 where v grows upwards in the texture, as in OBJ, and -1 for glTF.
     pub(crate) fn frames(
         &self,
         path: &Path,
         up: f32,
         generated: &mut Generated,
     ) -> Result<Vec<[f32; 7]>, MeshError> {
-        let frames = self.without_tangents(path)?;
+        let mut frames = list_of(path, self.normals.len())?;
+        frames.extend(self.normals.iter().map(|[x, y, z]| [*x, *y, *z, 0.0, 0.0, 0.0, 0.0]));
+        if self.texture.is_empty() {
+            generated.none += frames.len();
+            return Ok(frames);
+        }
         let position = |corner: u32| self.positions[corner as usize];
         // Those without an area take the square of their number in time.
         let has_corners = |[a, b, c]: &[u32; 3]| {
@@ -118,13 +122,6 @@ impl Shape {
         generated.none += corners.frames.len() - with_tangents;
         generated.ambiguous += corners.ambiguous.iter().filter(|is| **is).count();
         Ok(corners.frames)
-    }
-
-    /// Frames with tangents of zeros.
-    pub(crate) fn without_tangents(&self, path: &Path) -> Result<Vec<[f32; 7]>, MeshError> {
-        let mut frames = list_of(path, self.normals.len())?;
-        frames.extend(self.normals.iter().map(|[x, y, z]| [*x, *y, *z, 0.0, 0.0, 0.0, 0.0]));
-        Ok(frames)
     }
 
     /// Refuses more triangles around a vertex than can be had in time. Vertices alike in all that they have count as one.

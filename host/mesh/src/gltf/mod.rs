@@ -84,42 +84,30 @@ pub(super) fn parse_frames(path: &Path, bytes: &[u8], reach: Reach) -> Result<Fr
     let file = load(path, bytes, reach, &semantics)?;
     let groups = file.grouped(|primitive| Some(shape::key(primitive)))?;
     let (mut all, mut generated) = (Collected::new(&file), Generated::default());
-    let (mut first_without, mut has_tangents) = (None, false);
+    let sources = [Semantic::Tangents, Semantic::TexCoords(0)];
+    let has_source = |primitive: &Primitive| sources.iter().any(|source| primitive.get(source).is_some());
+    let has_tangents = file.primitives().any(|(.., primitive)| has_source(primitive));
     for (mesh, at, primitive) in file.primitives() {
-        let [normals, tangents, texture] = [Semantic::Normals, Semantic::Tangents, Semantic::TexCoords(0)]
-            .map(|semantic| primitive.get(&semantic));
-        has_tangents |= tangents.or(texture).is_some();
-        match (normals, tangents, texture) {
-            (Some(normals), Some(tangents), _) => {
+        match (primitive.get(&Semantic::Normals), primitive.get(&Semantic::Tangents)) {
+            (Some(normals), Some(tangents)) => {
                 file.check_counts(primitive, [Semantic::Positions, Semantic::Normals])?;
                 file.check_counts(primitive, [Semantic::Normals, Semantic::Tangents])?;
                 let read = |frames: &mut Vec<_>| file.add_frames(primitive, frames);
                 all.add(mesh, at, Accessors::Frames(normals, tangents), read)?;
             }
-            (_, None, Some(_)) => all.add(mesh, at, Accessors::Shape(shape::key(primitive)), |frames| {
-                let shape = file.shape(primitive, &groups)?.with_normals(path)?;
-                // In glTF v grows downwards.
-                frames.extend(shape.frames(path, -1.0, &mut generated)?);
-                Ok(())
-            })?,
-            (_, None, None) => {
-                first_without = first_without.or(Some((mesh, at)));
+            (_, None) if has_tangents => {
                 all.add(mesh, at, Accessors::Shape(shape::key(primitive)), |frames| {
                     let shape = file.shape(primitive, &groups)?.with_normals(path)?;
-                    generated.none += shape.normals.len();
-                    frames.extend(shape.without_tangents(path)?);
+                    // In glTF v grows downwards.
+                    frames.extend(shape.frames(path, -1.0, &mut generated)?);
                     Ok(())
                 })?
             }
-            (None, Some(_), _) => return Err(file.no_tangents(mesh, at)),
+            _ => return Err(file.no_tangents(mesh, at)),
         }
     }
-    match first_without {
-        Some((mesh, at)) if !has_tangents => return Err(file.no_tangents(mesh, at)),
-        None if all.elements.is_empty() => {
-            return Err(MeshError::NoTangents { path: path.into(), lacking: String::new() });
-        }
-        _ => {}
+    if all.elements.is_empty() {
+        return Err(MeshError::NoTangents { path: path.into(), lacking: String::new() });
     }
     Ok(Frames { frames: all.elements, parts: all.parts, generated })
 }
