@@ -76,6 +76,8 @@ fn unknown_codecs() {
         ("oct17", "`oct17`"),
         ("cube17", &cubes),
         ("frame16", "did you mean frame32, frame64?"),
+        ("oct-16_p", "did you mean oct16p?"),
+        ("Draco10", "did you mean draco:10?"),
         ("zzz", "`unitvec codecs` lists them all"),
     ] {
         fails(&[], &format!("conform --codec {id}"), 2, &[words]);

@@ -31,6 +31,11 @@ fn borders() {
         // -0 counts as 0 on the equator, so not at z = 0.
         assert_commutes(&codec, near_equator(7, 100_000), &[MIRROR_X, MIRROR_Y]);
         assert_bounded(&codec, Summary::of(near_equator(15, 500_000).map(|v| codec.error_deg(v))).max);
+        // The lengths of vectors that are taken as they are, as those of files.
+        let mut rng = Rng::new(21);
+        let vectors =
+            near_equator(21, 500_000).map(|v| v * (1.0 + rng.range(-1.0, 1.0) * 0.5f64.powi(21)) as f32);
+        assert_bounded(&codec, Summary::of(vectors.map(|v| codec.error_deg(v))).max);
         for v in near_equator(13, 500) {
             for exponent in -60..=60 {
                 assert_eq!(

@@ -5,7 +5,7 @@ use crate::fuzz::seeds::{PLY_FORMATS, glb_of};
 use base64::Engine;
 use serde_json::{Value, json};
 use std::path::Path;
-use unitvec_catalogue::{AnyCodec, Element, find};
+use unitvec_catalogue::{AnyCodec, Element, find, find_any};
 use unitvec_mesh as mesh;
 use unitvec_mesh::{BUNNY, FileFormat, Reach, has_direction};
 use unitvec_run::sampling;
@@ -201,6 +201,62 @@ fn only_the_vectors_move() {
     }
 }
 
+/// Splats in a PLY file: other properties before, between and after the components of their rotations.
+fn splats(format: &str, kind: &str, rotations: &[[f32; 4]]) -> Vec<u8> {
+    let numbers = |q: &[f32; 4]| [0.5, q[3], q[0], 7.0, q[1], q[2], -1.0];
+    let names = ["x", "rot_0", "rot_1", "opacity", "rot_2", "rot_3", "scale_0"];
+    let names = names.map(|name| format!("property {kind} {name}\n")).concat();
+    let header = format!("ply\nformat {format} 1.0\nelement vertex {}\n{names}end_header\n", rotations.len());
+    let number = |c: f32| -> Vec<u8> {
+        match (format, kind) {
+            // The shorter of the two, as it is written.
+            ("ascii", _) => {
+                [format!("{c} "), format!("{c:e} ")].into_iter().min_by_key(String::len).unwrap().into_bytes()
+            }
+            ("binary_big_endian", "double") => f64::from(c).to_be_bytes().into(),
+            ("binary_big_endian", _) => c.to_be_bytes().into(),
+            (_, "double") => f64::from(c).to_le_bytes().into(),
+            _ => c.to_le_bytes().into(),
+        }
+    };
+    let end: &[u8] = if format == "ascii" { b"\n" } else { b"" };
+    let rows = rotations.iter().flat_map(|q| [&numbers(q).map(number).concat()[..], end].concat());
+    header.into_bytes().into_iter().chain(rows).collect()
+}
+
+/// Rotations of splats become those that they are decoded to, or that a format's encoder writes better; of no length, and all
+/// else, they stay. Codes of rotations go back into the file.
+#[test]
+fn rotations_of_splats_move() {
+    let mut rotations: Vec<[f32; 4]> = sampling::random_rotations(7).take(40).collect();
+    rotations[3] = [0.0; 4];
+    rotations[5] = rotations[5].map(|c| 4.0 * c);
+    for (format, kind) in
+        PLY_FORMATS.into_iter().flat_map(|format| ["float", "double"].map(|kind| (format, kind)))
+    {
+        for id in ["sog", "spz", "quat32"] {
+            let folder = tempfile::tempdir().unwrap();
+            write(folder.path(), &vec![("a.ply", splats(format, kind, &rotations))]);
+            let told = succeeds(folder.path(), &format!("snap --for {id} a.ply b.ply"));
+            assert!(told.starts_with("mesh 0: 40 rotations, 1 left as they are, moved by "), "{told}");
+            assert_eq!(told.contains("the format's own encoder is off by"), id != "quat32", "{told}");
+            let codec = find_any(id).unwrap();
+            let expected: Vec<[f32; 4]> = rotations.iter().map(|q| codec.snapped(*q)).collect();
+            let decoded: [f32; 4] = codec.decode_one(codec.encode_one(rotations[5]));
+            assert!(expected[3] == rotations[3] && (id != "quat32" || expected[5] == decoded));
+            let read = std::fs::read(folder.path().join("b.ply")).unwrap();
+            assert!(read == splats(format, kind, &expected), "{id} {format} {kind}");
+        }
+        let (folder, codec) = (tempfile::tempdir().unwrap(), find("quat32").unwrap());
+        write(folder.path(), &vec![("a.ply", splats(format, kind, &rotations))]);
+        succeeds(folder.path(), "encode --codec quat32 a.ply a.uvec");
+        succeeds(folder.path(), "decode --into a.ply a.uvec b.ply");
+        let expected: Vec<[f32; 4]> =
+            rotations.iter().map(|q| codec.decode_one(codec.encode_one(*q))).collect();
+        assert!(std::fs::read(folder.path().join("b.ply")).unwrap() == splats(format, kind, &expected));
+    }
+}
+
 /// Rows of counts and angles, and warnings; files of a folder, of which one fails.
 #[test]
 fn what_is_told() {
@@ -268,6 +324,8 @@ fn refusals() {
         ("a.obj", obj(&frames()).remove(0).1, "frame32", ["a normal and a tangent", ".glb"]),
         ("a.ply", ply.into(), "oct16", ["quantised already", "before it is quantised"]),
         ("a.ply", ply.replace("nx", "x").into(), "oct16", ["no normals", "export"]),
+        ("a.ply", ply.into(), "spz", ["only rotations of splats", "rot_0 to rot_3"]),
+        ("a.obj", BUNNY.to_vec(), "quat32", ["only rotations of splats", "a .ply"]),
         ("a.gltf", gltf(r#""NORMAL":1,"#, ""), "frame32", ["primitive 0 of mesh 0", "export"]),
         (
             "a.gltf",

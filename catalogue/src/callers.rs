@@ -1,10 +1,12 @@
 //! Needs of callers from other languages: doubles, codes as integers of the machine, errors of arrays, and processes that fork.
 
-use crate::cpu::resized;
+use crate::cpu::{AnyFunctions, resized};
 use crate::{AnyCodec, Dither, Element, Measure, Null, has_direction, integer};
 use std::borrow::Cow;
 use std::process;
 use std::sync::atomic::{AtomicU32, Ordering};
+use unitvec::interop::RotationFormat;
+use unitvec::rotation_angle_deg;
 use unitvec::slice::{LengthMismatch, expect_length};
 
 impl Element {
@@ -153,13 +155,15 @@ impl AnyCodec {
     /// encodes alike. What has no usable direction stays, and so do tangents of such normals and all else. `N` is as in
     /// [`encode_one`](Self::encode_one).
     pub fn snapped<const N: usize>(&self, element: [f32; N]) -> [f32; N] {
-        let to = match (self.format(), element.first_chunk::<3>()) {
-            (Some(format), Some(vector)) => resized(format.snap(*vector)),
+        let to = match (self.functions, element.first_chunk(), element.first_chunk()) {
+            (AnyFunctions::Format(format), Some(vector), _) => resized(format.snap::<[f32; 3]>(*vector)),
+            (AnyFunctions::RotationFormat(format), _, Some(q)) => resized(snapped_rotation(format, *q)),
             _ => self.decode_one::<N>(self.encode_one(element)),
         };
         let mut snapped = element;
-        let parts = snapped.chunks_exact_mut(3).zip(to.chunks_exact(3)).take(self.element.directions().len());
-        for (part, to) in parts {
+        let floats = self.element.part_floats();
+        let parts = snapped.chunks_exact_mut(floats).zip(to.chunks_exact(floats));
+        for (part, to) in parts.take(self.element.directions().len()) {
             if !has_direction(part) {
                 break;
             }
@@ -167,6 +171,29 @@ impl AnyCodec {
         }
         snapped
     }
+}
+
+/// The quaternion to give to the format's plain encoder, so that it writes the nearest code that it can: of the nearest code's and
+/// `q`, and of those that make up for what the encoder rounds or truncates of them, the first that comes out best.
+fn snapped_rotation(format: RotationFormat, q: [f32; 4]) -> [f32; 4] {
+    /// Of ten, the mean error would be 2 % less in `gltf-quat8`, and 0.2 % in the others.
+    const ATTEMPTS: u32 = 4;
+    let (plain, dot) = (format.plain(), |a: [f32; 4], b: [f32; 4]| (0..4).map(|i| a[i] * b[i]).sum::<f32>());
+    let mut best = (f64::INFINITY, q);
+    for target in [format.decode(format.encode(q)), q] {
+        let mut attempt = target;
+        for _ in 0..ATTEMPTS {
+            let written = plain.decode(plain.encode(attempt));
+            let off = rotation_angle_deg(q, written);
+            if off < best.0 {
+                best = (off, attempt);
+            }
+            // Of the target's length and sign.
+            let scale = dot(target, target).sqrt().copysign(dot(target, written));
+            attempt = core::array::from_fn(|i| attempt[i] + 0.5 * (target[i] - scale * written[i]));
+        }
+    }
+    best.1
 }
 
 /// Copies the first bytes of each value to those of another array, whose values are of another size.

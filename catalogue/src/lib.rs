@@ -399,18 +399,24 @@ fn message(id: &str, of_format: Option<&UnknownFormat>) -> String {
     }
 }
 
-/// Codecs that begin with the same letters.
+/// Codecs and formats of the same letters and digits, or else codecs that begin with the same letters.
 fn suggestion(name: &str) -> String {
     if frames().iter().any(|codec| codec.is_named(name)) {
         return "it is a codec of tangent frames; ".to_owned();
     }
-    let letters =
-        |text: &str| text.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default().to_lowercase();
     if WRAPPED.iter().any(|codec| codec.is_named(name)) {
         return "it is for `encode`, `decode` and `error` alone; ".to_owned();
     }
-    let close = CODECS.iter().chain(&WRAPPED).map(|codec| codec.id).filter(|id| letters(id) == letters(name));
-    let close: Vec<&str> = close.collect();
+    let ids = || CODECS.iter().chain(&WRAPPED).map(|codec| codec.id);
+    let plain = |text: &str| text.to_lowercase().replace(|c: char| !c.is_ascii_alphanumeric(), "");
+    let same = ids().chain(formats().iter().map(|format| format.id)).filter(|id| plain(id) == plain(name));
+    let mut close: Vec<&str> = same.filter(|id| *id != name).collect();
+    if close.is_empty() {
+        let letters = |text: &str| {
+            text.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default().to_lowercase()
+        };
+        close = ids().filter(|id| letters(id) == letters(name)).collect();
+    }
     if close.is_empty() { String::new() } else { format!("did you mean {}? ", close.join(", ")) }
 }
 

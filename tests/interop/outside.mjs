@@ -44,6 +44,13 @@ function direction() {
   return square > 0.01 && square <= 1 ? unit(v) : direction();
 }
 
+/** A random rotation, likewise. */
+function rotation() {
+  const q = [0, 0, 0, 0].map(() => 2 * random() - 1);
+  const length = Math.hypot(...q);
+  return length > 0.1 && length <= 1 ? unit(q) : rotation();
+}
+
 /** Axes, edges, diagonals, folds, and what is near them, in all orders and signs, zeros too; scatter round the axes. */
 function hard() {
   const orders = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
@@ -296,6 +303,9 @@ function writePly(file, { positions, normals }, indices) {
   writeFileSync(file, `ply\nformat ascii 1.0\n${vertices}${faces}end_header\n${lines.join("\n")}\n`);
 }
 
+/** The bytes that zstd leaves of a file. */
+const zstdBytes = (bytes) => zstdCompressSync(bytes, { params: { [constants.ZSTD_c_compressionLevel]: 19 } }).length;
+
 /** Runs the command line of a tool. */
 function run(command, input, output) {
   const [program, ...words] = command.split(" ");
@@ -368,8 +378,7 @@ async function tool(name, command, format, mesh) {
     run(command, input, output);
     const [{ positions, normals }, bytes] = [await meshOf(output), readFileSync(output)];
     errors.push(angles(normals, normalsAt(positions, mesh)));
-    const packed = zstdCompressSync(bytes, { params: { [constants.ZSTD_c_compressionLevel]: 19 } });
-    sizes.push(bytes.length, packed.length, name === "draco" ? "" : await verdict(output));
+    sizes.push(bytes.length, zstdBytes(bytes), name === "draco" ? "" : await verdict(output));
     counts.push(normals.length / 3);
   }
   errors.push(angles(decoded(format, encoded(format, mesh.normals)), mesh.normals));
@@ -382,6 +391,75 @@ async function tool(name, command, format, mesh) {
   if (sizes.some((size) => /error/.test(size))) faults.push(`${command}: the validator finds ${sizes.join()}`);
   const [title, degrees] = [named(name), errors.flat().map((angle) => angle.toFixed(4))];
   results.push([title, command, format, counts[0], ...degrees, ...sizes].join());
+  console.log(results.at(-1));
+}
+
+// ---- Gaussian splats.
+
+const PLACES = ["x", "y", "z", "scale_0", "scale_1", "scale_2", "f_dc_0", "f_dc_1", "f_dc_2", "opacity"];
+const ROTATION = ["rot_1", "rot_2", "rot_3", "rot_0"];
+
+/** Writes splats of these rotations, on a line: tools that sort splats leave their order. */
+function writeSplats(file, rotations) {
+  const [count, size] = [rotations.length / 4, PLACES.length + ROTATION.length];
+  const lines = ["ply", "format binary_little_endian 1.0", `element vertex ${count}`];
+  lines.push(...[...PLACES, ...ROTATION].map((name) => `property float ${name}`), "end_header", "");
+  const numbers = new Float32Array(count * size);
+  for (let i = 0; i < count; i++) {
+    numbers.set([i / 100, 0, 0, -4, -4, -4, 0, 0, 0, 0, ...rotations.slice(4 * i, 4 * i + 4)], i * size);
+  }
+  writeFileSync(file, Buffer.concat([Buffer.from(lines.join("\n")), bytesOf(numbers)]));
+}
+
+/** The rotations of a file of splats. */
+function rotationsOf(file) {
+  call("splat-transform", ["--overwrite", file, "back.ply"]);
+  const [bytes, end] = [readFileSync("back.ply"), "end_header\n"];
+  const start = bytes.indexOf(end) + end.length;
+  const names = [...bytes.toString("latin1", 0, start).matchAll(/property float (\S+)/g)].map(([, name]) => name);
+  const all = as(Float32Array, bytes.subarray(start));
+  const at = (i) => names.length * (i >> 2) + names.indexOf(ROTATION[i % 4]);
+  return Float32Array.from({ length: all.length / names.length * 4 }, (_, i) => all[at(i)]);
+}
+
+/** The same rotations, with the signs of others. */
+function aligned(rotations, others) {
+  const along = (i) => [0, 1, 2, 3].reduce((sum, k) => sum + rotations[i + k] * others[i + k], 0);
+  return rotations.map((c, i) => (along(i - i % 4) < 0 ? -c : c));
+}
+
+/** The angles of the rotations between rotations, in degrees: the mean and the greatest. */
+function turns(found, expected) {
+  let [sum, greatest] = [0, 0];
+  for (let i = 0; i < found.length; i += 4) {
+    const [a, b] = [found, expected].map((rotations) => unit([...rotations.slice(i, i + 4)]));
+    const off = (sign) => Math.hypot(...a.map((c, k) => c - sign * b[k]));
+    const angle = 4 * Math.asin(Math.min(off(1), off(-1)) / 2) * 180 / Math.PI;
+    [sum, greatest] = [sum + angle, Math.max(greatest, angle)];
+  }
+  return [4 * sum / found.length, greatest];
+}
+
+/** Writes splats by PlayCanvas' tool, which rounds or truncates rotations, and the same splats with snapped rotations. */
+function splats(format, output, rotations) {
+  const [name, errors, sizes] = ["@playcanvas/splat-transform", [], []];
+  writeSplats("in.ply", rotations);
+  unitvec("snap", "--for", format, "in.ply", "snapped.ply");
+  for (const input of ["in.ply", "snapped.ply"]) {
+    call("splat-transform", ["--overwrite", input, output]);
+    const [found, bytes] = [rotationsOf(output), readFileSync(output)];
+    if (input === "in.ply") {
+      const here = decoded(format, encoded(format, rotations, "--plain"));
+      compare(format, "encode and decode", named(name), [rotations, here, aligned(found, here)], [4, 4], OF_F32);
+    }
+    errors.push(turns(found, rotations));
+    sizes.push(bytes.length, zstdBytes(bytes), "");
+  }
+  errors.push(turns(decoded(format, encoded(format, rotations)), rotations));
+  const [[plain], [snapped]] = errors;
+  if (snapped > plain) faults.push(`${format}: snapped ${snapped} degrees, ${plain} before`);
+  const degrees = errors.flat().map((angle) => angle.toFixed(4));
+  results.push([named(name), `splat-transform ${output}`, format, rotations.length / 4, ...degrees, ...sizes].join());
   console.log(results.at(-1));
 }
 
@@ -407,8 +485,12 @@ for (const bits of [8, 16]) {
   await snorm(bits, vectors, "gltfpack", "gltfpack -vn", 0);
   await snorm(bits, vectors, "@gltf-transform/cli", "gltf-transform quantize --quantize-normal", 1);
 }
-const rotations = Array.from({ length: COUNT }, () => unit([0, 0, 0, 0].map(() => 2 * random() - 1)));
+const rotations = Array.from({ length: COUNT }, rotation);
 for (const bits of [8, 12, 16]) meshoptQuat(bits, Float32Array.from(rotations.flat()));
+const ofSplats = Float32Array.from(rotations.slice(0, 100_000).flat());
+splats("sog", "out.sog", ofSplats);
+splats("spz", "out.spz", ofSplats);
+splats("playcanvas-ply", "out.compressed.ply", ofSplats);
 const mesh = await readMesh();
 for (const [name, command, format] of COMMANDS) await tool(name, command, format, mesh);
 

@@ -171,7 +171,7 @@ const ROUNDS: i32 = 40;
 ///
 /// The search tries random directions and those within a few cells of where a mapping is stretched most: octant
 /// middles, axes, face and edge middles of the cube, the equator: `count` of each at most, so that who asks for few waits for
-/// few. It then moves the worst by steps from two cells down.
+/// few. It then moves the worst by steps from two cells down, and at last makes them longer and shorter by up to 2^-21.
 ///
 /// # Errors
 /// Any error of the backend.
@@ -202,6 +202,12 @@ pub fn worst_error(
         best.extend(errors(backend, codec, &neighbours)?);
         keep_worst(&mut best);
     }
+    // As far off as the length of a vector may be that a codec takes as it is.
+    let lengths = [-4, -2, -1, 1, 2, 4].map(|steps| 1.0 + steps as f32 * f32::EPSILON);
+    let scaled = |v: [f32; 3]| lengths.map(|length| v.map(|c| length * c));
+    let scaled: Vec<[f32; 3]> = best.iter().flat_map(|(_, v)| scaled(*v)).collect();
+    best.extend(errors(backend, codec, &scaled)?);
+    keep_worst(&mut best);
     Ok(best[0])
 }
 

@@ -1,4 +1,4 @@
-//! Files of meshes whose normals and tangents are moved; all else in them stays as it is, byte for byte.
+//! Files of meshes whose normals and tangents, or rotations of splats, are moved; all else in them stays as it is, byte for byte.
 
 mod gltf;
 mod obj;
@@ -71,10 +71,28 @@ pub fn edit(
 ) -> Result<Edited, MeshError> {
     match (format, change) {
         (FileFormat::Gltf, change) => gltf::edit(path, bytes, reach, change),
-        (FileFormat::Obj, Change::Vectors(change)) => obj::edit(path, bytes, change),
-        (FileFormat::Ply, Change::Vectors(change)) => ply::edit(path, bytes, change),
+        (FileFormat::Obj, Change::Vectors(change)) => {
+            obj::edit(path, bytes, &mut |normals| change(0, Attribute::Normal, normals))
+        }
+        (FileFormat::Ply, Change::Vectors(change)) => {
+            ply::edit_normals(path, bytes, &mut |normals| change(0, Attribute::Normal, normals))
+        }
         _ => Err(MeshError::NoTangents { path: path.into(), lacking: String::new() }),
     }
+}
+
+/// Moves the rotations of Gaussian splats in a PLY file in memory; `path` stands in errors.
+///
+/// # Errors
+///
+/// [`MeshError::NotMovable`] for other files and integers, and the errors of [`parse`](crate::parse).
+pub fn edit_rotations(
+    path: &Path,
+    format: FileFormat,
+    bytes: &[u8],
+    change: &mut dyn FnMut(&mut [[f32; 4]]),
+) -> Result<Edited, MeshError> {
+    if format == FileFormat::Ply { ply::edit_rotations(path, bytes, change) } else { Err(no_splats(path)) }
 }
 
 /// The files that a mesh file in memory names, as far as they are there: buffers and images of glTF.
@@ -89,6 +107,11 @@ pub fn sources(path: &Path, format: FileFormat, bytes: &[u8]) -> Result<Vec<Path
 /// The error of a file without normals.
 fn no_normals(path: &Path) -> MeshError {
     not_movable(path, "there are no normals".into(), "export the mesh with normals")
+}
+
+/// The error of a file without splats.
+fn no_splats(path: &Path) -> MeshError {
+    not_movable(path, "only rotations of splats are moved".into(), "name a .ply with rot_0 to rot_3")
 }
 
 fn not_movable(path: &Path, reason: String, remedy: &'static str) -> MeshError {
@@ -135,31 +158,31 @@ impl<'b> Splice<'b> {
     }
 }
 
-/// The normals of a file with one list of them.
-struct Normals<'b, 'c> {
+/// The vectors of a file with one list of them, of `N` components each.
+struct Moved<'b, 'c, const N: usize> {
     splice: Splice<'b>,
-    change: &'c mut ChangeVectors<'c>,
+    change: &'c mut dyn FnMut(&mut [[f32; N]]),
     /// Writes a component in a place of so many bytes.
     write: &'c dyn Fn(f32, usize) -> Vec<u8>,
-    waiting: Vec<([Range<usize>; 3], [f32; 3])>,
+    waiting: Vec<([Range<usize>; N], [f32; N])>,
 }
 
-impl Normals<'_, '_> {
-    /// Takes the next normal, and the places of its components.
-    fn push(&mut self, places: [Range<usize>; 3], normal: [f32; 3]) {
-        self.waiting.push((places, normal));
+impl<const N: usize> Moved<'_, '_, N> {
+    /// Takes the next vector, and the places of its components.
+    fn push(&mut self, places: [Range<usize>; N], vector: [f32; N]) {
+        self.waiting.push((places, vector));
         if self.waiting.len() == CHUNK {
             self.flush();
         }
     }
 
     fn flush(&mut self) {
-        let mut moved: Vec<_> = self.waiting.iter().map(|(_, normal)| *normal).collect();
-        (self.change)(0, Attribute::Normal, &mut moved);
-        for ((places, normal), moved) in self.waiting.drain(..).zip(moved) {
-            let mut axes = [0, 1, 2];
+        let mut moved: Vec<_> = self.waiting.iter().map(|(_, vector)| *vector).collect();
+        (self.change)(&mut moved);
+        for ((places, vector), moved) in self.waiting.drain(..).zip(moved) {
+            let mut axes: [usize; N] = std::array::from_fn(|axis| axis);
             axes.sort_by_key(|axis| places[*axis].start);
-            for axis in axes.into_iter().filter(|axis| moved[*axis].to_bits() != normal[*axis].to_bits()) {
+            for axis in axes.into_iter().filter(|axis| moved[*axis].to_bits() != vector[*axis].to_bits()) {
                 self.splice.replace(places[axis].clone(), &(self.write)(moved[axis], places[axis].len()));
             }
         }

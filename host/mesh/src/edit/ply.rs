@@ -1,63 +1,87 @@
-//! The properties `nx ny nz` of PLY files.
+//! The properties `nx ny nz` of PLY files, and those of the rotations of splats.
 
-use super::{ChangeVectors, Edited, Normals, Splice, no_normals, not_movable, shortest, span};
+use super::{Edited, Moved, Splice, no_normals, no_splats, not_movable, shortest, span};
 use crate::MeshError;
-use crate::ply::{Payload, Source, Vertex, check_counts, size};
+use crate::ply::{Payload, ROTATION, Vertex, check_counts, has_scalars, size};
 use ply_rs_bw::ply::{ElementDef, Encoding, PropertyType, ScalarType};
 use std::ops::Range;
 use std::path::Path;
 
-const NAMES: [&str; 3] = ["nx", "ny", "nz"];
-
 /// Moves the normals of the vertices, in text or in bytes of either order.
-pub(super) fn edit<'c>(
+pub(super) fn edit_normals(
     path: &Path,
     bytes: &[u8],
-    change: &'c mut ChangeVectors<'c>,
+    change: &mut dyn FnMut(&mut [[f32; 3]]),
+) -> Result<Edited, MeshError> {
+    edit(path, bytes, ["nx", "ny", "nz"], |vertex| vertex.normal, no_normals, change)
+}
+
+/// Moves the rotations of splats, as [`edit_normals`] does normals.
+pub(super) fn edit_rotations(
+    path: &Path,
+    bytes: &[u8],
+    change: &mut dyn FnMut(&mut [[f32; 4]]),
+) -> Result<Edited, MeshError> {
+    edit(path, bytes, ROTATION, |vertex| vertex.rotation, no_splats, change)
+}
+
+/// Moves the vectors of these properties; a file without them gets the error.
+fn edit<const N: usize>(
+    path: &Path,
+    bytes: &[u8],
+    names: [&str; N],
+    vector: fn(Vertex) -> [f32; N],
+    without: fn(&Path) -> MeshError,
+    change: &mut dyn FnMut(&mut [[f32; N]]),
 ) -> Result<Edited, MeshError> {
     let (header, mut payload) = Payload::after_header(path, bytes)?;
     check_counts(path, &header, bytes.len())?;
-    if Source::of(&header) != Some(Source::Normals) {
-        return Err(no_normals(path));
+    if !header.elements.get("vertex").is_some_and(|vertex| has_scalars(vertex, &names)) {
+        return Err(without(path));
     }
     let encoding = header.encoding;
     let write = |value, size| number(encoding, value, size);
-    let mut moved = Normals { splice: Splice::new(path, bytes)?, change, write: &write, waiting: Vec::new() };
+    let mut moved = Moved { splice: Splice::new(path, bytes)?, change, write: &write, waiting: Vec::new() };
     for (name, element) in &header.elements {
         if name != "vertex" {
             payload.skip(element)?;
             continue;
         }
-        check_floats(path, element)?;
+        check_floats(path, element, &names)?;
         for _ in 0..element.count {
             let before = payload.rest;
-            let Vertex { normal, .. } = payload.next(element)?;
+            let vertex = payload.next(element)?;
             let row = &before[..before.len() - payload.rest.len()];
-            let places = span(bytes, row).zip(places(encoding, element, row));
-            let (row, places) = places.ok_or_else(|| payload.error("a vertex has no normal".into()))?;
-            moved.push(places.map(|place| row.start + place.start..row.start + place.end), normal);
+            let places = span(bytes, row).zip(places(encoding, element, names, row));
+            let (row, places) = places.ok_or_else(|| payload.error("a vertex ends too early".into()))?;
+            moved.push(places.map(|place| row.start + place.start..row.start + place.end), vector(vertex));
         }
     }
     Ok(moved.finish())
 }
 
-fn check_floats(path: &Path, element: &ElementDef) -> Result<(), MeshError> {
+fn check_floats(path: &Path, element: &ElementDef, names: &[&str]) -> Result<(), MeshError> {
     let is_float = |name: &&str| {
         let kind = element.properties.get(*name).map(|property| &property.data_type);
         matches!(kind, Some(PropertyType::Scalar(ScalarType::Float | ScalarType::Double)))
     };
-    match NAMES.iter().all(is_float) {
+    match names.iter().all(is_float) {
         true => Ok(()),
         false => {
-            let reason = "its normals are integers, quantised already".into();
-            Err(not_movable(path, reason, "take the mesh before it is quantised"))
+            let reason = format!("{} are integers, quantised already", names.join(", "));
+            Err(not_movable(path, reason, "take the file before it is quantised"))
         }
     }
 }
 
-/// The places of the normal's components in a vertex.
-fn places(encoding: Encoding, element: &ElementDef, row: &[u8]) -> Option<[Range<usize>; 3]> {
-    let (mut places, mut at) = ([const { 0..0 }; 3], 0);
+/// The places of a vector's components in a vertex.
+fn places<const N: usize>(
+    encoding: Encoding,
+    element: &ElementDef,
+    names: [&str; N],
+    row: &[u8],
+) -> Option<[Range<usize>; N]> {
+    let (mut places, mut at) = ([const { 0..0 }; N], 0);
     let mut next = |kind: &ScalarType| {
         let place = match encoding {
             Encoding::Ascii => word(row, at)?,
@@ -70,7 +94,7 @@ fn places(encoding: Encoding, element: &ElementDef, row: &[u8]) -> Option<[Range
         match &property.data_type {
             PropertyType::Scalar(kind) => {
                 let (place, _) = next(kind)?;
-                if let Some(axis) = NAMES.iter().position(|axis| axis == name) {
+                if let Some(axis) = names.iter().position(|axis| axis == name) {
                     places[axis] = place;
                 }
             }

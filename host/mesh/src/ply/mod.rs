@@ -103,13 +103,13 @@ pub(super) fn parse_rotations(path: &Path, bytes: &[u8]) -> Result<Rotations, Me
 }
 
 /// The properties of a rotation: x, y, z and w, which comes first in the file.
-const ROTATION: [&str; 4] = ["rot_1", "rot_2", "rot_3", "rot_0"];
+pub(super) const ROTATION: [&str; 4] = ["rot_1", "rot_2", "rot_3", "rot_0"];
 
 /// The property names in use for texture coordinates.
 const COORDINATES: [[&str; 2]; 3] = [["s", "t"], ["u", "v"], ["texture_u", "texture_v"]];
 
 /// True where an element has all of these properties, as numbers.
-fn has_scalars(element: &ElementDef, names: &[&str]) -> bool {
+pub(super) fn has_scalars(element: &ElementDef, names: &[&str]) -> bool {
     names.iter().all(|name| {
         let property = element.properties.get(*name);
         property.is_some_and(|property| matches!(property.data_type, PropertyType::Scalar(_)))
@@ -189,7 +189,7 @@ pub(super) struct Vertex {
     position: DVec3,
     pub(super) normal: [f32; 3],
     texture: [f32; 2],
-    rotation: [f32; 4],
+    pub(super) rotation: [f32; 4],
 }
 
 impl PropertyAccess for Vertex {

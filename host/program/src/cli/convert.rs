@@ -68,8 +68,8 @@ pub struct Decode {
     /// Take the input as codes without a header, whatever its first bytes say.
     #[arg(long)]
     raw: bool,
-    /// Write the decoded normals, or frames, into a copy of this mesh, which becomes OUT: of all else every byte stays. The
-    /// codes are as many, in the order in which `encode` read them.
+    /// Write the decoded normals or frames, or rotations of splats, into a copy of this mesh, which becomes OUT: of all else
+    /// every byte stays. The codes are as many, in the order in which `encode` read them.
     #[arg(long, value_name = "MESH")]
     into: Option<PathBuf>,
     #[command(flatten)]

@@ -10,13 +10,12 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
-use unitvec::angle_deg;
-use unitvec_catalogue::{AnyCodec, Domain, Element, find_any};
+use unitvec_catalogue::{AnyCodec, Domain, Element, angle_between_parts_deg, find_any, has_direction};
 use unitvec_files::Output;
 use unitvec_host::input::Input;
 use unitvec_host::{Error, Result};
-use unitvec_mesh::edit::{Attribute, Change, Edited, edit};
-use unitvec_mesh::{Reach, has_direction};
+use unitvec_mesh::Reach;
+use unitvec_mesh::edit::{Attribute, Change, Edited, edit, edit_rotations};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -33,8 +32,9 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let codec = find_any(&arguments.codec)?;
-    if !codec.keeps_directions() {
-        let words = format!("{} is not for directions, and `snap` moves normals and tangents", codec.id);
+    if !codec.keeps_directions() && codec.element != Element::Rotation {
+        let words =
+            format!("{} is not for directions, and `snap` moves normals, tangents and rotations", codec.id);
         return Err(Error::Usage(words));
     }
     let pairs = pairs(&arguments.meshes.r#in, &arguments.out, is_mesh, None)?;
@@ -52,17 +52,25 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
 
 /// Moves the vectors of an input. Returns what is told of it, and whether it went to the standard output.
 fn one(codec: &'static AnyCodec, input: &Path, out: &Path, reach: Reach) -> Result<(Summary, bool)> {
-    let mut tallies = Tallies { codec, all: BTreeMap::new(), below: 0 };
+    let mut tallies = Tallies { codec, plain: codec.plain(), all: BTreeMap::new(), below: 0 };
     let edited = Input::open(input)?.parse(
         |path, format, bytes, reach| match codec.element {
-            Element::Vector | Element::Rotation => {
-                let mut change = |mesh, part, vectors: &mut [_]| tallies.snap(mesh, &[part], vectors);
+            Element::Vector => {
+                let mut change = |mesh, attribute, vectors: &mut [[f32; 3]]| {
+                    let part = if attribute == Attribute::Normal { "normal" } else { "tangent" };
+                    tallies.snap(mesh, &[part], vectors);
+                };
                 edit(path, format, bytes, reach, Change::Vectors(&mut change))
             }
             Element::Frame => {
-                let parts = [Attribute::Normal, Attribute::Tangent];
-                let mut change = |mesh, frames: &mut [_]| tallies.snap(mesh, &parts, frames);
+                let parts = codec.element.directions();
+                let mut change = |mesh, frames: &mut [[f32; 7]]| tallies.snap(mesh, parts, frames);
                 edit(path, format, bytes, reach, Change::Frames(&mut change))
+            }
+            Element::Rotation => {
+                let parts = codec.element.directions();
+                let mut change = |rotations: &mut [[f32; 4]]| tallies.snap(0, parts, rotations);
+                edit_rotations(path, format, bytes, &mut change)
             }
         },
         reach,
@@ -107,21 +115,24 @@ impl Tally {
     }
 }
 
-/// The tallies of a file, for each mesh and attribute.
+/// The tallies of a file.
 struct Tallies {
     codec: &'static AnyCodec,
-    all: BTreeMap<(usize, Attribute), Tally>,
+    /// The format's own encoder.
+    plain: Option<&'static AnyCodec>,
+    /// By the mesh and the part.
+    all: BTreeMap<(usize, &'static str), Tally>,
     /// Vectors that a codec of the hemisphere moved up to the equator.
     below: usize,
 }
 
 impl Tallies {
-    /// Moves elements, which have a vector for each of the attributes.
-    fn snap<const N: usize>(&mut self, mesh: usize, parts: &[Attribute], elements: &mut [[f32; N]]) {
+    /// Moves elements of these parts.
+    fn snap<const N: usize>(&mut self, mesh: usize, parts: &[&'static str], elements: &mut [[f32; N]]) {
         if self.codec.domain == Domain::Hemisphere {
             self.below += elements.iter().filter(|element| element[2] < 0.0).count();
         }
-        let snapped = elements.par_iter_mut().map(|element| snap(self.codec, element));
+        let snapped = elements.par_iter_mut().map(|element| snap(self.codec, self.plain, element));
         for angles in snapped.collect::<Vec<_>>() {
             for (part, angle) in parts.iter().zip(angles) {
                 self.all.entry((mesh, *part)).or_default().add(angle);
@@ -130,15 +141,15 @@ impl Tallies {
     }
 
     fn summary(self, edited: &Edited) -> Summary {
-        let row = |((mesh, part), tally): ((usize, Attribute), Tally)| Row {
+        let row = |((mesh, part), tally): ((usize, &'static str), Tally)| Row {
             mesh,
             name: edited.meshes.get(mesh).cloned().flatten(),
-            part: if part == Attribute::Normal { "normal" } else { "tangent" },
+            part,
             vectors: tally.vectors,
             left_alone: tally.vectors - tally.moved,
             moved: tally.angles(0),
-            error_before: tally.angles(1).filter(|_| self.codec.format().is_some()),
-            error_after: tally.angles(2).filter(|_| self.codec.format().is_some()),
+            error_before: tally.angles(1).filter(|_| self.plain.is_some()),
+            error_after: tally.angles(2).filter(|_| self.plain.is_some()),
         };
         let below = (self.below > 0).then(|| UPPER_ONLY.to_owned());
         let warnings = edited.warnings.iter().cloned().chain(below).collect();
@@ -146,21 +157,23 @@ impl Tallies {
     }
 }
 
-/// Moves the vectors of an element by [`AnyCodec::snapped`]. Returns the angles of what was moved.
-fn snap<const N: usize>(codec: &AnyCodec, element: &mut [f32; N]) -> [Option<Moved>; 2] {
+/// Moves the parts of an element by [`AnyCodec::snapped`]. Returns the angles of those that were moved.
+fn snap<const N: usize>(
+    codec: &AnyCodec,
+    plain: Option<&AnyCodec>,
+    element: &mut [f32; N],
+) -> [Option<Moved>; 2] {
     let original = std::mem::replace(element, codec.snapped(*element));
-    let written = |original: [f32; 3], v: [f32; 3]| {
-        codec
-            .format()
-            .map_or(0.0, |format| angle_deg(original, format.decode::<[f32; 3]>(format.plain().encode(v))))
-    };
-    let vectors = [&original, element].map(|element| element.chunks_exact(3).map(|v| [v[0], v[1], v[2]]));
-    let [from, to] = vectors;
+    let written = |element| plain.map_or(element, |plain| plain.decode_one(plain.encode_one(element)));
+    let others = [*element, written(original), written(*element)];
     let mut angles = [None; 2];
-    for (angle, (from, to)) in
-        angles.iter_mut().zip(from.zip(to).take_while(|(from, _)| has_direction(*from)))
-    {
-        *angle = Some([angle_deg(from, to), written(from, from), written(from, to)]);
+    for (part, angle) in angles.iter_mut().enumerate().take(codec.element.directions().len()) {
+        let from = codec.element.part(&original, part);
+        if !has_direction(from) {
+            break;
+        }
+        *angle =
+            Some(others.each_ref().map(|to| angle_between_parts_deg(from, codec.element.part(to, part))));
     }
     angles
 }
@@ -177,14 +190,14 @@ pub struct Summary {
     warnings: Vec<String>,
 }
 
-/// The normals, or the tangents, of a mesh.
+/// The normals, the tangents or the rotations of a mesh.
 #[derive(Serialize, schemars::JsonSchema)]
 struct Row {
     /// Index of the mesh in the file.
     mesh: usize,
     /// The mesh's name, where a glTF file gives one.
     name: Option<Arc<str>>,
-    /// `normal` or `tangent`.
+    /// `normal`, `tangent` or `rotation`.
     part: &'static str,
     /// Number of vectors.
     vectors: u64,

@@ -14,7 +14,7 @@ use unitvec_host::raw::Dtype;
 use unitvec_host::stream::{Named, read_next};
 use unitvec_host::{Error, Result};
 use unitvec_mesh::Reach;
-use unitvec_mesh::edit::{Attribute, Change, Edited, edit};
+use unitvec_mesh::edit::{Attribute, Change, Edited, edit, edit_rotations};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -96,7 +96,8 @@ pub struct Written {
     pub warnings: Vec<String>,
 }
 
-/// Puts elements in the place of a mesh's normals or frames, which are as many, in the order of [`unitvec_mesh::parse`].
+/// Puts elements in the place of a mesh's normals or frames, or of the rotations of splats, which are as many, in the order of
+/// [`unitvec_mesh::parse`].
 pub fn put(mesh: &Path, element: Element, reach: Reach, source: Source<'_>) -> Result<(Written, Edited)> {
     let Source { path, count, fill } = source;
     let (mut wanted, mut given, mut failed) = (0, 0, None);
@@ -122,6 +123,10 @@ pub fn put(mesh: &Path, element: Element, reach: Reach, source: Source<'_>) -> R
         Element::Vector => {
             Input::open(mesh)?.parse(|p, f, b, r| edit(p, f, b, r, Change::Vectors(&mut normals)), reach)?
         }
+        Element::Rotation if mesh.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("ply")) => {
+            let mut change = |rotations: &mut [[f32; 4]]| next(rotations.as_flattened_mut());
+            Input::open(mesh)?.parse(|p, f, b, _| edit_rotations(p, f, b, &mut change), reach)?
+        }
         Element::Rotation => {
             return Err(Error::Usage(format!("{} has rotations, and a mesh has none", path.display())));
         }
@@ -131,7 +136,8 @@ pub fn put(mesh: &Path, element: Element, reach: Reach, source: Source<'_>) -> R
     given += fill(&mut vec![0.0; element.floats()], given)? as u64;
     let given = count.unwrap_or(given);
     if wanted != given {
-        let (kind, mesh) = (if element == Element::Frame { "frames" } else { "normals" }, mesh.display());
+        let kind = if element == Element::Vector { "normals" } else { element.plural() };
+        let mesh = mesh.display();
         let or_more = if count.is_none() && given > wanted { " or more" } else { "" };
         return Err(Error::Usage(format!(
             "{mesh} has {wanted} {kind} of its own, and {} {given}{or_more}; take what `unitvec encode` or \

@@ -42,11 +42,10 @@
 //! * Error, with a and b the half steps `1/(2 m)`: XYOnly and PP at most `arccos(1 - d)`, near `sqrt(2 d)`, with
 //!   `d = sqrt(a^2 + b^2)`, on the equator: Meyer's eq. 6, where a = b. SPP at most `sqrt(a^2 + a b + b^2)` (a and b of
 //!   the stored integers; a step of those is sqrt(1/2) as large), in the octants' middles: eq. 7.
-//! * 48 bits: `f32` vectors have components in steps of 2^-24 to 2^-23, as wide as PP's and SPP's. The rounding of the
-//!   squares and of the length, at most 2^-20 of 1, turns a direction on the equator by up to 9.8e-4 radians where PP's
-//!   own error is 5.2e-4. Not in the bound: a vector whose length is off by up to 2^-21, which is taken as it is, is up to
-//!   0.070 degrees off there. SPP's own error is 3.2e-7; along the sextants' borders, where the two largest components
-//!   must be told apart, points move up to three steps inwards.
+//! * 48 bits: `f32` vectors have components in steps of 2^-24 to 2^-23, as wide as PP's and SPP's. The squared length,
+//!   which may be off by 2^-20, and the rounding of the squares, at most 5 2^-24, turn a direction on the equator by up to
+//!   1.2e-3 radians where PP's own error is 5.2e-4. SPP's own error is 3.2e-7; along the sextants' borders, where the
+//!   two largest components must be told apart, points move up to three steps inwards.
 //! * Good for: tangent-space normal maps, whose normals keep near +Z. Points inside decode with one square root, from
 //!   snorm values that the hardware may convert; these functions add the divisions and selections for points
 //!   outside. For directions all over the sphere [`oct`](crate::oct) is more exact and cheaper.
@@ -152,13 +151,13 @@ where
     Self: Width,
 {
     const BITS: u32 = BITS;
-    /// The bound `arccos(1 - d)` and the rounding of `f32`, in degrees; at 48 bits `sqrt(2 d + 2^-20)`, rounded up: 2^-20 is
-    /// the rounding of `f32`.
+    /// The bound `arccos(1 - d)` and the rounding of `f32`, in degrees; at 48 bits `sqrt(2 d + 2^-20 + 5 2^-24)`, rounded up:
+    /// 2^-20 is what the squared length of a vector that is taken as it is may be off by, 5 2^-24 the rounding of `f32`.
     const MAX_ERROR_DEG: f32 = match BITS {
         16 => 7.7,
         24 => 1.91,
         32 => 0.49,
-        48 => 0.064,
+        48 => 0.071,
         _ => panic!("no constants for this width"),
     };
     const NULL: Option<[u32; 2]> = Some([1 << (Self::PLANE.x_bits - 1), 0]);
