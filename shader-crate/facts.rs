@@ -136,7 +136,7 @@ macro_rules! facts {
     (pp16) => { "16 bits in 2 bytes, direction at most 7.70° off" };
     (pp24) => { "24 bits in 3 bytes, direction at most 1.91° off" };
     (pp32) => { "32 bits in 4 bytes, direction at most 0.490° off" };
-    (pp48) => { "48 bits in 6 bytes, direction at most 0.0640° off" };
+    (pp48) => { "48 bits in 6 bytes, direction at most 0.0710° off" };
     (spp16) => { "16 bits in 2 bytes, direction at most 1.32° off" };
     (spp24) => { "24 bits in 3 bytes, direction at most 0.0770° off" };
     (spp32) => { "32 bits in 4 bytes, direction at most 0.00480° off" };
