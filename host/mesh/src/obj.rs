@@ -85,7 +85,7 @@ pub(super) fn parse_shape(path: &Path, bytes: &[u8]) -> Result<(Shape, bool), Me
     if !has_texture {
         shape.texture = Vec::new();
     }
-    Ok((shape.with_normals(path)?, computed))
+    Ok((shape.with_surface(path)?.with_normals(path)?, computed))
 }
 
 /// The element that a corner names, if it names one.

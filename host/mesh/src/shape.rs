@@ -78,11 +78,13 @@ impl Generated {
 const MOST_AROUND: usize = 1024;
 
 impl Shape {
+    /// The shape, unless it has no triangles.
+    pub(crate) fn with_surface(self, path: &Path) -> Result<Self, MeshError> {
+        if self.triangles.is_empty() { Err(MeshError::NoSurface { path: path.into() }) } else { Ok(self) }
+    }
+
     /// The shape with its normals computed, where it has none.
     pub(crate) fn with_normals(mut self, path: &Path) -> Result<Self, MeshError> {
-        if self.triangles.is_empty() {
-            return Err(MeshError::NoSurface { path: path.into() });
-        }
         if self.normals.is_empty() {
             let mut sums = Sums::new(path, Positions::Single(self.positions.clone()));
             sums.add_all(self.triangles.iter().map(|corners| corners.map(i64::from)))?;

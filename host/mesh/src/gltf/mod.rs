@@ -87,17 +87,20 @@ pub(super) fn parse_frames(path: &Path, bytes: &[u8], reach: Reach) -> Result<Fr
     let sources = [Semantic::Tangents, Semantic::TexCoords(0)];
     let has_source = |primitive: &Primitive| sources.iter().any(|source| primitive.get(source).is_some());
     let has_tangents = file.primitives().any(|(.., primitive)| has_source(primitive));
+    let mut has_surface = false;
     for (mesh, at, primitive) in file.primitives() {
         match (primitive.get(&Semantic::Normals), primitive.get(&Semantic::Tangents)) {
             (Some(normals), Some(tangents)) => {
                 file.check_counts(primitive, [Semantic::Positions, Semantic::Normals])?;
                 file.check_counts(primitive, [Semantic::Normals, Semantic::Tangents])?;
+                has_surface = true;
                 let read = |frames: &mut Vec<_>| file.add_frames(primitive, frames);
                 all.add(mesh, at, Accessors::Frames(normals, tangents), read)?;
             }
             (_, None) if has_tangents => {
                 all.add(mesh, at, Accessors::Shape(shape::key(primitive)), |frames| {
                     let shape = file.shape(primitive, &groups)?.with_normals(path)?;
+                    has_surface |= !shape.triangles.is_empty();
                     // In glTF v grows downwards.
                     frames.extend(shape.frames(path, -1.0, &mut generated)?);
                     Ok(())
@@ -108,6 +111,9 @@ pub(super) fn parse_frames(path: &Path, bytes: &[u8], reach: Reach) -> Result<Fr
     }
     if all.elements.is_empty() {
         return Err(MeshError::NoTangents { path: path.into(), lacking: String::new() });
+    }
+    if !has_surface {
+        return Err(MeshError::NoSurface { path: path.into() });
     }
     Ok(Frames { frames: all.elements, parts: all.parts, generated })
 }

@@ -211,6 +211,14 @@ fn frames() {
             "{result:?}"
         );
     }
+    // Points and lines have normals at most, and are no surface by themselves.
+    for points in [WITH_NORMALS, WITHOUT_NORMALS].map(|primitive| primitive.replacen('{', r#"{"mode":0,"#, 1))
+    {
+        let some = read(&cube(&format!("{WITH_TANGENTS},{points}"))).unwrap();
+        assert_eq!((some.frames.len(), some.generated.none), (16, 8));
+        let normal = if points.contains("NORMAL") { cube_normals()[0] } else { [0.0; 3] };
+        assert_eq!((some.frames[8][..3].to_vec(), &some.frames[8][3..]), (normal.to_vec(), &[0.0; 4][..]));
+    }
     for (from, to) in [(r#"8,"type":"VEC4""#, r#"7,"type":"VEC4""#), ("VEC4", "VEC3"), (r#"T":3"#, r#"T":9"#)]
     {
         let result = read(&glb(&json(WITH_TANGENTS, "").replace(from, to), Some(&cube_buffer())));

@@ -79,7 +79,7 @@ pub(super) fn parse_shape(path: &Path, bytes: &[u8]) -> Result<(Shape, bool), Me
             Ok(())
         })?;
     }
-    Ok((shape.with_normals(path)?, source == Source::Faces))
+    Ok((shape.with_surface(path)?.with_normals(path)?, source == Source::Faces))
 }
 
 /// Reads the rotations of Gaussian splats, in the properties that the first program for them wrote (Kerbl et al. 2023).
