@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 use unitvec::dither::{dither_from_key, dither_from_pixel, dither_from_position};
 use unitvec::glam::{UVec2, Vec2, Vec3};
 use unitvec_catalogue::{
-    AnyCodec, CODECS, Dither, Domain, Manner, Null, Operation, WRAPPED, find_any, formats,
+    AnyCodec, CODECS, Dither, Domain, Element, Manner, Null, Operation, WRAPPED, find_any, formats,
 };
 
 /// Elements as they lie in an array without gaps.
@@ -166,5 +166,22 @@ mod _native {
         let (codec, pool) = (find(name)?, pool(threads)?);
         let (floats, errors) = (elements.floats()?, errors.as_slice_mut()?);
         py.detach(|| portions::error(codec, floats, errors, &pool)).map_err(invalid)
+    }
+
+    /// Moves elements to those that plain encoders write nearest.
+    #[pyfunction]
+    fn snap(
+        py: Python<'_>,
+        name: &str,
+        elements: Elements<'_>,
+        mut snapped: PyReadwriteArray1<'_, f32>,
+        threads: Option<usize>,
+    ) -> PyResult<()> {
+        let (codec, pool) = (find(name)?, pool(threads)?);
+        if !codec.keeps_directions() && codec.element != Element::Rotation {
+            return Err(invalid(format!("{name} is not for directions; take another codec, as 'oct16p'")));
+        }
+        let (floats, snapped) = (elements.floats()?, snapped.as_slice_mut()?);
+        py.detach(|| portions::snap(codec, floats, snapped, &pool)).map_err(invalid)
     }
 }

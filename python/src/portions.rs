@@ -4,6 +4,7 @@ use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use std::borrow::Cow;
+use unitvec::slice::expect_length;
 use unitvec_catalogue::{AnyCodec, Element, Manner, has_threads};
 
 /// Elements of a portion. The slices of `unitvec` prefetch from 1 MiB of floats on.
@@ -112,5 +113,25 @@ pub fn decode(
 pub fn error(codec: &AnyCodec, floats: Floats<'_>, errors: &mut [f64], pool: &Pool) -> Result {
     pool.run(errors, PORTION * codec.element.directions().len(), |index, errors| {
         codec.errors(&floats.portion(codec.element, index), errors)
+    })
+}
+
+/// The elements as [`AnyCodec::snapped`] moves them.
+pub fn snap(codec: &AnyCodec, floats: Floats<'_>, snapped: &mut [f32], pool: &Pool) -> Result {
+    fn each<const N: usize>(codec: &AnyCodec, elements: &mut [f32]) {
+        for element in elements.chunks_exact_mut(N).filter_map(|element| element.first_chunk_mut::<N>()) {
+            *element = codec.snapped(*element);
+        }
+    }
+    pool.run(snapped, PORTION * codec.element.floats(), |index, snapped| {
+        let floats = floats.portion(codec.element, index);
+        expect_length(floats.len(), snapped.len())?;
+        snapped.copy_from_slice(&floats);
+        match codec.element {
+            Element::Vector => each::<3>(codec, snapped),
+            Element::Rotation => each::<4>(codec, snapped),
+            Element::Frame => each::<7>(codec, snapped),
+        }
+        Ok(())
     })
 }

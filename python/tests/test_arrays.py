@@ -122,6 +122,7 @@ def test_out():
         (lambda: unitvec.decode([1 << 16], "oct16"), "65536 is no code of oct16, which has 16 bits"),
         (lambda: unitvec.decode([-1], "oct16"), "-1 is no code"),
         (lambda: unitvec.decode(np.array([1 << 24], np.uint32), "oct24p"), "24 bits"),
+        (lambda: unitvec.snap(NORMALS, "axial16"), "not for directions"),
         (lambda: unitvec.choose(0.0), "finest"),
         (lambda: unitvec.choose(float("nan")), "finest"),
         (lambda: unitvec.choose(1.0, element="axes"), "'vectors'"),
@@ -142,6 +143,26 @@ def test_choose_takes_the_fewest_bytes():
             for other in unitvec.codecs()
             if other.element == "vectors" and other.domain == "sphere" and other.is_unit and other.max_errors_deg[0] <= limit
         )
+
+
+def test_other_software_writes_snapped_elements_nearer():
+    rng = np.random.default_rng(5)
+    for name, part in (("sog", 0.55), ("quat10x3", 0.55), ("spz", 0.99), ("draco:8", 0.95), ("tiles3d-oct16", 0.95)):
+        some = elements(unitvec.codec(name), (10, 100), rng)
+        snapped = unitvec.snap(some, name)
+
+        def off(given):
+            written = unitvec.decode(unitvec.encode(given, f"{name} plain"), f"{name} plain").astype(np.float64)
+            written /= np.linalg.norm(written, axis=-1, keepdims=True)
+            return np.arccos(np.minimum(np.abs((written * some).sum(axis=-1)), 1))
+
+        assert snapped.dtype == np.float32 and snapped.shape == some.shape
+        assert off(snapped).mean() < part * off(some).mean()
+    decoded = unitvec.decode(unitvec.encode(NORMALS, "oct16p"), "oct16p")
+    for threads in (1, 2):
+        np.testing.assert_array_equal(unitvec.snap(NORMALS, "oct16p", threads=threads), decoded)
+    zeros = np.zeros((2, 3), np.float32)
+    assert unitvec.snap(zeros, "oct16p", out=zeros) is zeros and not zeros.any()
 
 
 def test_threads_change_nothing():
@@ -205,6 +226,7 @@ def test_odd_arrays_do_no_harm():
             codes = unitvec.encode(array, codec.id, null=rng.random() < 0.2, threads=1, out=out)
             odd = codes.astype(rng.choice(["<u8", ">u8", "<i8"])) if rng.random() < 0.5 else codes
             unitvec.decode(odd ^ odd.dtype.type(rng.random() < 0.1), codec.id, null=rng.random() < 0.2, threads=1)
+            unitvec.snap(array, codec.id, threads=1)
         except ValueError as reason:
             refused += 1
             assert str(reason)

@@ -20,7 +20,7 @@ import numpy as np
 
 from . import _native
 
-__all__ = ["Codec", "choose", "codec", "codecs", "decode", "encode", "error", "formats"]
+__all__ = ["Codec", "choose", "codec", "codecs", "decode", "encode", "error", "formats", "snap"]
 __version__ = _native.VERSION
 
 
@@ -189,6 +189,27 @@ def error(elements: Any, codec: str, *, threads: int | None = None) -> np.ndarra
     errors = np.empty((*shape, parts) if parts > 1 else shape)
     _native.error(by.id, flat, errors.reshape(-1), _threads(threads))
     return errors
+
+
+def snap(elements: Any, codec: str, *, threads: int | None = None, out: np.ndarray | None = None) -> np.ndarray:
+    """Moves vectors, frames or rotations a little, so that other software, which rounds them to the format of this name, writes the
+    nearest codes that it can. With a codec, it moves them to where the codec decodes them to.
+
+    :param elements: as `encode` takes them. What has no direction stays as it is.
+    :param out: an array for the result, which is returned.
+    :returns: float32 of the same shape.
+    :raises ValueError: as `encode` does; and for codecs of axes and of vectors with a length.
+
+    >>> rotations = np.array([[0.1, 0.2, 0.3, 0.927]])
+    >>> moved = unitvec.snap(rotations, "sog")
+    >>> unitvec.error(rotations, "sog plain")[0] > 1.5 * unitvec.error(rotations, "sog")[0]
+    True
+    """
+    by = _named(codec)
+    flat, shape = _flat(elements, by)
+    target, result = _output(out, (*shape, by.floats), np.dtype(np.float32), flat)
+    _native.snap(by.id, flat, target, _threads(threads))
+    return _filled(target, result)
 
 
 def _named(name: Any) -> Codec:
