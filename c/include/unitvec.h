@@ -1021,7 +1021,7 @@ uint32_t unitvec_pp32_encode(struct unitvec_vec3 vector);
 /// The vector of a code of pp32. Higher bits are ignored.
 struct unitvec_vec3 unitvec_pp32_decode(uint32_t code);
 
-/// The code of a vector by pp48: 48 bits, at most 0.064 degrees off.
+/// The code of a vector by pp48: 48 bits, at most 0.071 degrees off.
 uint64_t unitvec_pp48_encode(struct unitvec_vec3 vector);
 
 /// The vector of a code of pp48. Higher bits are ignored.

@@ -2179,7 +2179,7 @@ mod pp32 {
 mod pp48 {
     use crate::single::{Vec3, decode, encode};
 
-    /// The code of a vector by pp48: 48 bits, at most 0.064 degrees off.
+    /// The code of a vector by pp48: 48 bits, at most 0.071 degrees off.
     #[unsafe(no_mangle)]
     pub extern "C" fn unitvec_pp48_encode(vector: Vec3) -> u64 {
         encode::<unitvec::Pp48>(vector)

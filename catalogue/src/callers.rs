@@ -155,9 +155,9 @@ impl AnyCodec {
     /// encodes alike. What has no usable direction stays, and so do tangents of such normals and all else. `N` is as in
     /// [`encode_one`](Self::encode_one).
     pub fn snapped<const N: usize>(&self, element: [f32; N]) -> [f32; N] {
-        let to = match (self.functions, element.first_chunk(), element.first_chunk()) {
+        let to = match (self.functions, element.first_chunk(), <[f32; 4]>::try_from(&element[..])) {
             (AnyFunctions::Format(format), Some(vector), _) => resized(format.snap::<[f32; 3]>(*vector)),
-            (AnyFunctions::RotationFormat(format), _, Some(q)) => resized(snapped_rotation(format, *q)),
+            (AnyFunctions::RotationFormat(format), _, Ok(q)) => resized(snapped_rotation(format, q)),
             _ => self.decode_one::<N>(self.encode_one(element)),
         };
         let mut snapped = element;

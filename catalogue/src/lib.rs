@@ -408,12 +408,12 @@ fn suggestion(name: &str) -> String {
         return "it is for `encode`, `decode` and `error` alone; ".to_owned();
     }
     let ids = || CODECS.iter().chain(&WRAPPED).map(|codec| codec.id);
-    let plain = |text: &str| text.to_lowercase().replace(|c: char| !c.is_ascii_alphanumeric(), "");
+    let plain = |text: &str| text.to_ascii_lowercase().replace(|c: char| !c.is_ascii_alphanumeric(), "");
     let same = ids().chain(formats().iter().map(|format| format.id)).filter(|id| plain(id) == plain(name));
     let mut close: Vec<&str> = same.filter(|id| *id != name).collect();
     if close.is_empty() {
         let letters = |text: &str| {
-            text.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default().to_lowercase()
+            text.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default().to_ascii_lowercase()
         };
         close = ids().filter(|id| letters(id) == letters(name)).collect();
     }

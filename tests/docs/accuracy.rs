@@ -2,7 +2,7 @@
 
 use super::compare;
 use unitvec_catalogue::{AnyCodec, CODECS, Domain, Element, Measured, find, frames, rotations, vectors};
-use unitvec_lab::accuracy::meyer::worst_error;
+use unitvec_lab::accuracy::meyer::{worst_error, worst_length};
 use unitvec_lab::accuracy::{Row, Table, chart, covering_bound_deg};
 use unitvec_run::backend::Cpu;
 use unitvec_run::measure::ErrorStats;
@@ -48,7 +48,10 @@ fn measure() {
         |id: &str, of: &str, mean: f64, max: f64| text += &format!("{id},{of},{mean:.6e},{max:.6e}\n");
     for codec in &CODECS {
         let worst = match codec.element {
-            Element::Vector => worst_error(&mut Cpu, codec, 1_000_000, 1).unwrap().0,
+            Element::Vector => {
+                let (_, v) = worst_error(&mut Cpu, codec, 1_000_000, 1).unwrap();
+                worst_length(&mut Cpu, codec, v).unwrap()
+            }
             Element::Frame | Element::Rotation => 0.0,
         };
         for (of, errors) in sampled(codec, COUNT, 1) {

@@ -171,7 +171,7 @@ const ROUNDS: i32 = 40;
 ///
 /// The search tries random directions and those within a few cells of where a mapping is stretched most: octant
 /// middles, axes, face and edge middles of the cube, the equator: `count` of each at most, so that who asks for few waits for
-/// few. It then moves the worst by steps from two cells down, and at last makes them longer and shorter by up to 2^-21.
+/// few. It then moves the worst by steps from two cells down.
 ///
 /// # Errors
 /// Any error of the backend.
@@ -202,13 +202,17 @@ pub fn worst_error(
         best.extend(errors(backend, codec, &neighbours)?);
         keep_worst(&mut best);
     }
-    // As far off as the length of a vector may be that a codec takes as it is.
-    let lengths = [-4, -2, -1, 1, 2, 4].map(|steps| 1.0 + steps as f32 * f32::EPSILON);
-    let scaled = |v: [f32; 3]| lengths.map(|length| v.map(|c| length * c));
-    let scaled: Vec<[f32; 3]> = best.iter().flat_map(|(_, v)| scaled(*v)).collect();
-    best.extend(errors(backend, codec, &scaled)?);
-    keep_worst(&mut best);
     Ok(best[0])
+}
+
+/// The largest error, in degrees, of vectors along `v` as far off unit length as codecs take for it: up to 2^-21.
+///
+/// # Errors
+/// Any error of the backend.
+pub fn worst_length(backend: &mut dyn Backend, codec: &AnyCodec, v: [f32; 3]) -> Result<f64> {
+    let lengths = [-4, -3, -2, -1, 0, 1, 2, 3, 4].map(|steps| 1.0 + steps as f32 * f32::EPSILON);
+    let errors = errors(backend, codec, &lengths.map(|length| v.map(|c| length * c)))?;
+    Ok(errors.into_iter().fold(0.0, |worst, (error, _)| worst.max(error)))
 }
 
 /// Octant middles, axes, edge middles, and some of the equator.
