@@ -1,5 +1,5 @@
 //! Vertex normals and tangent frames from mesh files: Wavefront OBJ, PLY and glTF 2.0; from the latter the rotations of
-//! animations as well, from PLY those of Gaussian splats.
+//! animations as well, and from both those of Gaussian splats.
 //!
 //! A file's own vertex normals are passed on as they are, NaN included (but the PLY parser refuses `nan` and `inf` in
 //! ASCII files). Where a file has none, they are computed from its faces.
@@ -96,7 +96,7 @@ pub struct Frames {
 
 /// Rotations of the animations of a glTF file, as quaternions x, y, z, w: animation by animation in file order, sampler by
 /// sampler, key by key. Tangents of cubic splines are left out. What several samplers share comes once, at the first of them.
-/// Or those of the Gaussian splats of a PLY file, in file order, of any length.
+/// Then those of its Gaussian splats, primitive by primitive; or those of a PLY file, in file order, of any length.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rotations {
     /// The rotations, as the file has them.
@@ -210,9 +210,9 @@ pub enum MeshError {
         /// The first primitive without them, where none has any; or what else is in the way.
         lacking: String,
     },
-    /// A file without animations that rotate, or a PLY without those of splats; OBJ has none at all.
+    /// A file without animations that rotate and without splats; OBJ has none at all.
     #[error(
-        "{path} has no rotations; name a .gltf or .glb with animations of some, a .ply of Gaussian splats, or raw floats x, y, z, w"
+        "{path} has no rotations; name a .gltf or .glb with animations of some or with Gaussian splats, a .ply of these, or raw floats x, y, z, w"
     )]
     NoRotations {
         /// The file.

@@ -111,7 +111,7 @@ fn no_normals(path: &Path) -> MeshError {
 
 /// The error of a file without splats.
 fn no_splats(path: &Path) -> MeshError {
-    not_movable(path, "only rotations of splats are moved".into(), "name a .ply with rot_0 to rot_3")
+    not_movable(path, "only rotations of splats in a .ply are moved".into(), "name one with rot_0 to rot_3")
 }
 
 fn not_movable(path: &Path, reason: String, remedy: &'static str) -> MeshError {

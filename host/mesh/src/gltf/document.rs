@@ -39,6 +39,8 @@ struct Attributes {
     tangent: Option<u32>,
     texcoord_0: Option<u32>,
     texcoord_1: Option<u32>,
+    #[serde(rename = "KHR_gaussian_splatting:ROTATION")]
+    rotation: Option<u32>,
 }
 
 impl Primitive {
@@ -52,6 +54,11 @@ impl Primitive {
             Semantic::TexCoords(1) => self.attributes.texcoord_1,
             _ => None,
         }
+    }
+
+    /// The accessor of the rotations of Gaussian splats.
+    pub(super) fn rotations(&self) -> Option<u32> {
+        self.attributes.rotation
     }
 }
 
@@ -180,7 +187,7 @@ impl Geometry {
     /// the validation of a mesh that can be read; its meshes; and its animations.
     pub(super) fn into_root(self) -> (json::Root, Vec<Primitives>, Vec<Animation>) {
         /// Beginnings of extensions that change no vertex of a mesh, but its looks, where it stands, how often, or when.
-        const BESIDE: [&str; 12] = [
+        const BESIDE: [&str; 13] = [
             "KHR_materials_",
             "KHR_texture_",
             "EXT_texture_",
@@ -190,6 +197,7 @@ impl Geometry {
             "EXT_lights_",
             "KHR_node_",
             "KHR_animation_",
+            "KHR_gaussian_splatting",
             "EXT_mesh_gpu_instancing",
             "CESIUM_RTC",
             "CESIUM_primitive_outline",
@@ -239,10 +247,11 @@ pub(super) fn wrong_version(path: &Path, version: impl Display) -> MeshError {
 /// geometry uncompressed as well.
 pub(crate) fn check_not_compressed(path: &Path, extensions: &[String]) -> Result<(), MeshError> {
     /// Extension, what it is, and whether glTF-Transform decompresses it.
-    const COMPRESSIONS: [(&str, &str, bool); 3] = [
+    const COMPRESSIONS: [(&str, &str, bool); 4] = [
         ("KHR_draco_mesh_compression", "Draco", true),
         ("EXT_meshopt_compression", "meshoptimizer", true),
         ("KHR_meshopt_compression", "meshoptimizer", false),
+        ("KHR_gaussian_splatting_compression_spz_2", "SPZ", false),
     ];
     let is_there = |name: &str| extensions.iter().any(|extension| extension == name);
     let Some((extension, method, decompresses)) = COMPRESSIONS.into_iter().find(|c| is_there(c.0)) else {

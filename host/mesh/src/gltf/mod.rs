@@ -118,14 +118,14 @@ pub(super) fn parse_frames(path: &Path, bytes: &[u8], reach: Reach) -> Result<Fr
     Ok(Frames { frames: all.elements, parts: all.parts, generated })
 }
 
-/// Reads the rotations of all samplers of all animations, in the order of [`Rotations`].
+/// Reads the rotations of all samplers of all animations, and of all splats, in the order of [`Rotations`].
 pub(super) fn parse_rotations(path: &Path, bytes: &[u8], reach: Reach) -> Result<Rotations, MeshError> {
     let file = load(path, bytes, reach, &[])?;
     let mut all = Collected::new(&file);
-    for (animation, (sampler, output, is_cubic)) in file.rotations() {
-        let name = || file.animations[animation].name.as_deref().map(short);
-        let accessor = file.accessor(output)?;
-        all.put(animation, sampler, name, Accessors::Rotations(output), accessor.count(), |rotations| {
+    for Rotating { name, of, at, accessor: index, is_cubic } in file.rotations() {
+        let accessor = file.accessor(index)?;
+        let name = || name.map(short);
+        all.put(of, at, name, Accessors::Rotations(index), accessor.count(), |rotations| {
             reserve(path, rotations, accessor.count())?;
             let mut at = 0;
             file.vectors_of(&accessor, false, Dimensions::Vec4, |rotation| {
@@ -154,6 +154,18 @@ enum Accessors {
     /// Tangents are generated.
     Shape(shape::Key),
     Rotations(u32),
+}
+
+/// A sampler of an animation, or a primitive of splats: its place, the accessor of its rotations, and whether these have tangents
+/// beside them.
+struct Rotating<'f> {
+    /// The name of the animation or the mesh.
+    name: Option<&'f str>,
+    /// The place of that.
+    of: usize,
+    at: usize,
+    accessor: u32,
+    is_cubic: bool,
 }
 
 /// The elements of the primitives or samplers so far, and where those of each lie.
@@ -289,10 +301,18 @@ impl File<'_> {
         })
     }
 
-    /// The samplers of rotations, each with the place of its animation: see [`Animation::rotations`].
-    fn rotations(&self) -> impl Iterator<Item = (usize, (usize, u32, bool))> {
-        let animations = self.animations.iter().enumerate();
-        animations.flat_map(|(at, animation)| animation.rotations().map(move |sampler| (at, sampler)))
+    /// The sources of rotations: those of animations, then those of splats.
+    fn rotations(&self) -> impl Iterator<Item = Rotating<'_>> {
+        let of_animations = self.animations.iter().enumerate().flat_map(|(of, animation)| {
+            let name = animation.name.as_deref();
+            let samplers = animation.rotations();
+            samplers.map(move |(at, accessor, is_cubic)| Rotating { name, of, at, accessor, is_cubic })
+        });
+        let of_splats = self.primitives().filter_map(|(of, at, primitive)| {
+            let name = self.meshes[of].name.as_deref();
+            primitive.rotations().map(|accessor| Rotating { name, of, at, accessor, is_cubic: false })
+        });
+        of_animations.chain(of_splats)
     }
 
     pub(super) fn accessor(&self, index: u32) -> Result<Accessor<'_>, MeshError> {
@@ -311,7 +331,7 @@ impl File<'_> {
     /// indices where they are asked for, and tangents are not or are not there. Without attributes, those of rotations.
     fn used_buffers(&self, semantics: &[Semantic]) -> Result<BTreeSet<usize>, MeshError> {
         if semantics.is_empty() {
-            return self.buffers_of(self.rotations().map(|(_, (_, output, _))| output));
+            return self.buffers_of(self.rotations().map(|rotating| rotating.accessor));
         }
         let mut used = BTreeSet::new();
         let texture = Semantic::TexCoords(0);

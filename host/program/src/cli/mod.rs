@@ -84,7 +84,7 @@ enum Command {
     /// Encode the normals of meshes (obj, ply, gltf, glb), or their normals and tangents, NumPy arrays, or raw floats: three a
     /// vector, seven a tangent frame, four a rotation: x, y, z, w.
     ///
-    /// A codec of rotations takes those of a glTF's animations, and of the Gaussian splats of a PLY.
+    /// A codec of rotations takes those of the animations and Gaussian splats of a glTF, and of the splats of a PLY.
     ///
     /// A mesh's codes lie in this order. OBJ: the `vn` lines, once each; where normals are computed, the `v` lines. PLY: the
     /// vertices. glTF: mesh by mesh in file order, then primitive by primitive, then vertex by vertex; what several
