@@ -162,6 +162,7 @@ fn gltf_extensions_that_are_not_read() {
         ("KHR_draco_mesh_compression", "`gltf-transform copy "),
         ("EXT_meshopt_compression", "`gltf-transform copy "),
         ("KHR_meshopt_compression", "export it without compression"),
+        ("KHR_gaussian_splatting_compression_spz_2", "compressed by SPZ"),
         ("KHR_of_the_future", "export it again"),
     ] {
         let content = format!(r#"{{"asset":{{"version":"2.0"}},"extensionsRequired":["{extension}"]}}"#);

@@ -187,7 +187,7 @@ impl Geometry {
     /// the validation of a mesh that can be read; its meshes; and its animations.
     pub(super) fn into_root(self) -> (json::Root, Vec<Primitives>, Vec<Animation>) {
         /// Beginnings of extensions that change no vertex of a mesh, but its looks, where it stands, how often, or when.
-        const BESIDE: [&str; 13] = [
+        const BESIDE: [&str; 12] = [
             "KHR_materials_",
             "KHR_texture_",
             "EXT_texture_",
@@ -197,20 +197,19 @@ impl Geometry {
             "EXT_lights_",
             "KHR_node_",
             "KHR_animation_",
-            "KHR_gaussian_splatting",
             "EXT_mesh_gpu_instancing",
             "CESIUM_RTC",
             "CESIUM_primitive_outline",
         ];
-        /// Attributes in integers, which are read here.
-        const QUANTIZATION: &str = "KHR_mesh_quantization";
+        /// Attributes in integers, and those of splats, which are read here.
+        const READ: [&str; 2] = ["KHR_mesh_quantization", "KHR_gaussian_splatting"];
         let Self { asset, accessors, buffers, buffer_views, meshes, animations, .. } = self;
         let (extensions_used, mut extensions_required) = (self.extensions_used, self.extensions_required);
         // The validation has a message for each extension that it does not know.
         extensions_required.sort_unstable();
         extensions_required.dedup();
         extensions_required
-            .retain(|name| name != QUANTIZATION && !BESIDE.iter().any(|prefix| name.starts_with(prefix)));
+            .retain(|name| !READ.contains(&&**name) && !BESIDE.iter().any(|prefix| name.starts_with(prefix)));
         let accessors = accessors.into_iter().map(|AccessorText(accessor)| accessor).collect();
         let root = json::Root {
             accessors,

@@ -285,7 +285,9 @@ fn rotations() {
     let cubic = read(&with(r#"{"input":0,"output":3,"interpolation":"CUBICSPLINE"}"#, turning)).unwrap();
     assert_eq!(cubic.rotations, [tangents()[1], tangents()[4], tangents()[7]]);
     let splats = WITH_TANGENTS.replace("TANGENT", "KHR_gaussian_splatting:ROTATION");
-    assert_eq!(read(&json(&splats, "")).unwrap().rotations, tangents());
+    let required = r#""extensionsRequired":["KHR_gaussian_splatting"],"asset""#;
+    let splats = json(&splats, "").replacen(r#""asset""#, required, 1);
+    assert_eq!(read(&splats).unwrap().rotations, tangents());
     for none in
         [json(WITH_TANGENTS, ""), with(linear, &turning.replace("rotation", "scale")), with("", turning)]
     {
