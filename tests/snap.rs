@@ -108,9 +108,19 @@ pub fn obj(frames: &[[f32; 7]]) -> Files {
     vec![("a.obj", [b"\xef\xbb\xbf# caf\xe9\n", lines.as_bytes(), b"f 1//1 2//2 3//3"].concat())]
 }
 
+/// The bytes of a number in a binary PLY file.
+fn binary(format: &str, kind: &str, c: f32) -> Vec<u8> {
+    match (format == PLY_FORMATS[2], kind) {
+        (true, "double") => f64::from(c).to_be_bytes().into(),
+        (true, _) => c.to_be_bytes().into(),
+        (false, "double") => f64::from(c).to_le_bytes().into(),
+        (false, _) => c.to_le_bytes().into(),
+    }
+}
+
 /// Floats or doubles out of order, behind a list.
 fn ply(format: &str, frames: &[[f32; 7]], kind: &str) -> Files {
-    let (mut body, is_big) = (Vec::new(), format == PLY_FORMATS[2]);
+    let mut body = Vec::new();
     for [x, y, z, ..] in frames {
         // The parser takes no NaN as text.
         let is_left_out = format == "ascii" && [x, y, z].iter().any(|c| c.is_nan());
@@ -119,12 +129,8 @@ fn ply(format: &str, frames: &[[f32; 7]], kind: &str) -> Files {
             body.extend(format!("2 0.50 1 {} 7.0 {}  {}\n", normal[0], normal[1], normal[2]).bytes());
             continue;
         }
-        let float = |c: f32| if is_big { c.to_be_bytes() } else { c.to_le_bytes() }.to_vec();
-        let double = |c: f32| {
-            let c = f64::from(c);
-            if is_big { c.to_be_bytes() } else { c.to_le_bytes() }.to_vec()
-        };
-        let [z, x, y] = normal.map(|c| if kind == "double" { double(c) } else { float(c) });
+        let float = |c| binary(format, "float", c);
+        let [z, x, y] = normal.map(|c| binary(format, kind, c));
         body.extend([vec![2], float(0.5), float(1.0), z, float(7.0), x, y].concat());
     }
     let header = format!(
@@ -207,18 +213,9 @@ fn splats(format: &str, kind: &str, rotations: &[[f32; 4]]) -> Vec<u8> {
     let names = ["x", "rot_0", "rot_1", "opacity", "rot_2", "rot_3", "scale_0"];
     let names = names.map(|name| format!("property {kind} {name}\n")).concat();
     let header = format!("ply\nformat {format} 1.0\nelement vertex {}\n{names}end_header\n", rotations.len());
-    let number = |c: f32| -> Vec<u8> {
-        match (format, kind) {
-            // The shorter of the two, as it is written.
-            ("ascii", _) => {
-                [format!("{c} "), format!("{c:e} ")].into_iter().min_by_key(String::len).unwrap().into_bytes()
-            }
-            ("binary_big_endian", "double") => f64::from(c).to_be_bytes().into(),
-            ("binary_big_endian", _) => c.to_be_bytes().into(),
-            (_, "double") => f64::from(c).to_le_bytes().into(),
-            _ => c.to_le_bytes().into(),
-        }
-    };
+    // As text, the shorter of the two.
+    let text = |c: f32| [format!("{c} "), format!("{c:e} ")].into_iter().min_by_key(String::len).unwrap();
+    let number = |c| if format == "ascii" { text(c).into_bytes() } else { binary(format, kind, c) };
     let end: &[u8] = if format == "ascii" { b"\n" } else { b"" };
     let rows = rotations.iter().flat_map(|q| [&numbers(q).map(number).concat()[..], end].concat());
     header.into_bytes().into_iter().chain(rows).collect()

@@ -71,11 +71,9 @@ pub fn edit(
 ) -> Result<Edited, MeshError> {
     match (format, change) {
         (FileFormat::Gltf, change) => gltf::edit(path, bytes, reach, change),
-        (FileFormat::Obj, Change::Vectors(change)) => {
-            obj::edit(path, bytes, &mut |normals| change(0, Attribute::Normal, normals))
-        }
-        (FileFormat::Ply, Change::Vectors(change)) => {
-            ply::edit_normals(path, bytes, &mut |normals| change(0, Attribute::Normal, normals))
+        (_, Change::Vectors(change)) => {
+            let edit = if format == FileFormat::Obj { obj::edit } else { ply::edit_normals };
+            edit(path, bytes, &mut |normals| change(0, Attribute::Normal, normals))
         }
         _ => Err(MeshError::NoTangents { path: path.into(), lacking: String::new() }),
     }

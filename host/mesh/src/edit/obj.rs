@@ -6,10 +6,10 @@ use crate::obj::{Line, lines};
 use std::path::Path;
 
 /// Moves the numbers of the `vn` lines; those that stay keep their text.
-pub(super) fn edit<'c>(
+pub(super) fn edit(
     path: &Path,
     bytes: &[u8],
-    change: &'c mut dyn FnMut(&mut [[f32; 3]]),
+    change: &mut dyn FnMut(&mut [[f32; 3]]),
 ) -> Result<Edited, MeshError> {
     let normals = || lines(bytes).filter(|line: &Line| line.keyword == b"vn");
     if normals().next().is_none() {

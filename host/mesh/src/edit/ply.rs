@@ -2,7 +2,7 @@
 
 use super::{Edited, Moved, Splice, no_normals, no_splats, not_movable, shortest, span};
 use crate::MeshError;
-use crate::ply::{Payload, ROTATION, Vertex, check_counts, has_scalars, size};
+use crate::ply::{NORMAL, Payload, ROTATION, Vertex, check_counts, has_scalars, size};
 use ply_rs_bw::ply::{ElementDef, Encoding, PropertyType, ScalarType};
 use std::ops::Range;
 use std::path::Path;
@@ -13,7 +13,7 @@ pub(super) fn edit_normals(
     bytes: &[u8],
     change: &mut dyn FnMut(&mut [[f32; 3]]),
 ) -> Result<Edited, MeshError> {
-    edit(path, bytes, ["nx", "ny", "nz"], |vertex| vertex.normal, no_normals, change)
+    edit(path, bytes, NORMAL, |vertex| vertex.normal, no_normals, change)
 }
 
 /// Moves the rotations of splats, as [`edit_normals`] does normals.

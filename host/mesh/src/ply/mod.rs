@@ -102,6 +102,9 @@ pub(super) fn parse_rotations(path: &Path, bytes: &[u8]) -> Result<Rotations, Me
     Ok(Rotations { rotations, parts: vec![Part::whole(count, false)] })
 }
 
+/// The properties of a normal.
+pub(super) const NORMAL: [&str; 3] = ["nx", "ny", "nz"];
+
 /// The properties of a rotation: x, y, z and w, which comes first in the file.
 pub(super) const ROTATION: [&str; 4] = ["rot_1", "rot_2", "rot_3", "rot_0"];
 
@@ -118,15 +121,15 @@ pub(super) fn has_scalars(element: &ElementDef, names: &[&str]) -> bool {
 
 /// The source of the normals.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Source {
+enum Source {
     Normals,
     Faces,
 }
 
 impl Source {
-    pub(super) fn of(header: &Header) -> Option<Self> {
+    fn of(header: &Header) -> Option<Self> {
         let vertex = header.elements.get("vertex")?;
-        if has_scalars(vertex, &["nx", "ny", "nz"]) {
+        if has_scalars(vertex, &NORMAL) {
             return Some(Self::Normals);
         }
         let mut faces = FACES.iter().filter_map(|name| header.elements.get(*name));
