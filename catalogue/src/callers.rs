@@ -146,9 +146,22 @@ impl AnyCodec {
         Ok(())
     }
 
-    /// True where it keeps directions, so that [`snapped`](Self::snapped) has something to move.
-    pub fn keeps_directions(&self) -> bool {
-        self.element != Element::Rotation && self.measure() == Measure::Angle
+    /// True where it keeps directions or rotations, which [`snapped`](Self::snapped) moves.
+    pub fn snaps(&self) -> bool {
+        self.element == Element::Rotation || self.measure() == Measure::Angle
+    }
+
+    /// Moves flat elements, each to what [`snapped`](Self::snapped) makes of it, on the calling thread.
+    pub fn snap(&self, elements: &mut [f32]) {
+        fn each<const N: usize>(codec: &AnyCodec, elements: &mut [f32]) {
+            let elements = elements.chunks_exact_mut(N).filter_map(|element| element.first_chunk_mut::<N>());
+            elements.for_each(|element| *element = codec.snapped(*element));
+        }
+        match self.element {
+            Element::Vector => each::<3>(self, elements),
+            Element::Rotation => each::<4>(self, elements),
+            Element::Frame => each::<7>(self, elements),
+        }
     }
 
     /// An element with its directions moved to those that it is decoded to or, of a format, to those that the format's own software

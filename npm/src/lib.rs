@@ -2,7 +2,7 @@
 //! divides what users pass.
 
 use js_sys::{Array, RangeError};
-use unitvec_catalogue::{AnyCodec, CODECS, Domain, Element, Manner, Operation, WRAPPED, find_any, formats};
+use unitvec_catalogue::{AnyCodec, CODECS, Domain, Manner, Operation, WRAPPED, find_any, formats};
 use wasm_bindgen::prelude::*;
 
 type Result<T> = std::result::Result<T, JsValue>;
@@ -100,20 +100,13 @@ pub fn error(name: &str, elements: &[f32], errors: &mut [f64]) -> Result<()> {
     find(name)?.errors(elements, errors).map_err(invalid)
 }
 
-/// Moves elements to those that they are decoded to, where they have directions.
+/// Moves elements as [`AnyCodec::snapped`] does.
 #[wasm_bindgen]
 pub fn snap(name: &str, elements: &mut [f32]) -> Result<()> {
-    fn each<const N: usize>(codec: &AnyCodec, elements: &mut [f32]) {
-        let elements = elements.chunks_exact_mut(N).filter_map(|element| element.first_chunk_mut::<N>());
-        elements.for_each(|element| *element = codec.snapped(*element));
-    }
     let codec = find(name)?;
-    if !codec.keeps_directions() {
+    if !codec.snaps() {
         return Err(invalid(format!("{name} is not for directions; take another codec, as oct16p")));
     }
-    match codec.element {
-        Element::Frame => each::<7>(codec, elements),
-        _ => each::<3>(codec, elements),
-    }
+    codec.snap(elements);
     Ok(())
 }

@@ -205,15 +205,15 @@ export function error(elements, by, { offset, stride } = {}) {
 }
 
 /**
- * Moves vectors or frames, in their array, to those that a codec decodes to. A program that then writes the codec's format by plain
- * rounding, as tools for glTF do, writes the codes that the codec's encoder finds. What has no direction stays.
+ * Moves vectors, frames or rotations, in their array, so that other software, which rounds or truncates them to a format, writes the
+ * nearest codes that it can. With a codec, it moves them to where the codec decodes them to. What has no direction stays.
  *
  * @template {Elements} T
  * @param {T} elements As `encode` takes them.
  * @param {string | Codec} by The codec or format, or its name.
  * @param {Layout} [layout]
  * @returns {T} The array.
- * @throws {TypeError | RangeError} As `encode` does, and of codecs of rotations, axes and vectors with a length.
+ * @throws {TypeError | RangeError} As `encode` does, and of codecs of axes and of vectors with a length.
  */
 export function snap(elements, by, { offset = 0, stride } = {}) {
   const facts = named(by);

@@ -15,6 +15,7 @@ import { codec, snap } from "unitvec";
  */
 export function snapNormals({ codec: name = "gltf-snorm8" } = {}) {
   const by = codec(name);
+  if (by.element === "rotations") throw new RangeError(`${by.id} is not for directions; take another codec, as "oct16p"`);
   snap(new Float32Array(), by);
   return function snapNormals(document) {
     const done = new Set();

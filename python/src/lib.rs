@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 use unitvec::dither::{dither_from_key, dither_from_pixel, dither_from_position};
 use unitvec::glam::{UVec2, Vec2, Vec3};
 use unitvec_catalogue::{
-    AnyCodec, CODECS, Dither, Domain, Element, Manner, Null, Operation, WRAPPED, find_any, formats,
+    AnyCodec, CODECS, Dither, Domain, Manner, Null, Operation, WRAPPED, find_any, formats,
 };
 
 /// Elements as they lie in an array without gaps.
@@ -178,7 +178,7 @@ mod _native {
         threads: Option<usize>,
     ) -> PyResult<()> {
         let (codec, pool) = (find(name)?, pool(threads)?);
-        if !codec.keeps_directions() && codec.element != Element::Rotation {
+        if !codec.snaps() {
             return Err(invalid(format!("{name} is not for directions; take another codec, as 'oct16p'")));
         }
         let (floats, snapped) = (elements.floats()?, snapped.as_slice_mut()?);

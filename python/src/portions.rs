@@ -118,20 +118,11 @@ pub fn error(codec: &AnyCodec, floats: Floats<'_>, errors: &mut [f64], pool: &Po
 
 /// The elements as [`AnyCodec::snapped`] moves them.
 pub fn snap(codec: &AnyCodec, floats: Floats<'_>, snapped: &mut [f32], pool: &Pool) -> Result {
-    fn each<const N: usize>(codec: &AnyCodec, elements: &mut [f32]) {
-        for element in elements.chunks_exact_mut(N).filter_map(|element| element.first_chunk_mut::<N>()) {
-            *element = codec.snapped(*element);
-        }
-    }
     pool.run(snapped, PORTION * codec.element.floats(), |index, snapped| {
         let floats = floats.portion(codec.element, index);
         expect_length(floats.len(), snapped.len())?;
         snapped.copy_from_slice(&floats);
-        match codec.element {
-            Element::Vector => each::<3>(codec, snapped),
-            Element::Rotation => each::<4>(codec, snapped),
-            Element::Frame => each::<7>(codec, snapped),
-        }
+        codec.snap(snapped);
         Ok(())
     })
 }

@@ -32,7 +32,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let codec = find_any(&arguments.codec)?;
-    if !codec.keeps_directions() && codec.element != Element::Rotation {
+    if !codec.snaps() {
         let words =
             format!("{} is not for directions, and `snap` moves normals, tangents and rotations", codec.id);
         return Err(Error::Usage(words));
