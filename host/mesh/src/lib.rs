@@ -232,12 +232,12 @@ pub enum MeshError {
         /// The file.
         path: PathBuf,
     },
-    /// The geometry of a glTF file is compressed.
+    /// The geometry of a glTF file is compressed, or the splats of a PLY file.
     #[error("{path} is compressed by {method} ({extension}); {remedy}")]
     Compressed {
         /// The mesh file.
         path: PathBuf,
-        /// The glTF extension that it requires.
+        /// The glTF extension that it requires, or the PLY property that holds the rotations.
         extension: &'static str,
         /// The compression's name.
         method: &'static str,

@@ -86,8 +86,13 @@ pub(super) fn parse_shape(path: &Path, bytes: &[u8]) -> Result<(Shape, bool), Me
 pub(super) fn parse_rotations(path: &Path, bytes: &[u8]) -> Result<Rotations, MeshError> {
     let (header, mut payload) = Payload::after_header(path, bytes)?;
     check_counts(path, &header, bytes.len())?;
-    let is_splat = |vertex: &&ElementDef| has_scalars(vertex, &ROTATION) && vertex.count > 0;
-    let vertex = header.elements.get("vertex").filter(is_splat);
+    let vertex = header.elements.get("vertex");
+    if vertex.is_some_and(|vertex| has_scalars(vertex, &[PACKED_ROTATION])) {
+        let (extension, method) = (PACKED_ROTATION, "PlayCanvas's packing of splats");
+        let remedy = "unpack it by `npx @playcanvas/splat-transform FILE.compressed.ply FILE.ply`".to_owned();
+        return Err(MeshError::Compressed { path: path.into(), extension, method, remedy });
+    }
+    let vertex = vertex.filter(|vertex| has_scalars(vertex, &ROTATION) && vertex.count > 0);
     let count = vertex.ok_or_else(|| MeshError::NoRotations { path: path.into() })?.count;
     let mut rotations = list_of(path, count)?;
     for (name, element) in &header.elements {
@@ -107,6 +112,9 @@ pub(super) const NORMAL: [&str; 3] = ["nx", "ny", "nz"];
 
 /// The properties of a rotation: x, y, z and w, which comes first in the file.
 pub(super) const ROTATION: [&str; 4] = ["rot_1", "rot_2", "rot_3", "rot_0"];
+
+/// The property of `.compressed.ply` files that holds a rotation's smallest three in 32 bits.
+const PACKED_ROTATION: &str = "packed_rotation";
 
 /// The property names in use for texture coordinates.
 const COORDINATES: [[&str; 2]; 3] = [["s", "t"], ["u", "v"], ["texture_u", "texture_v"]];

@@ -75,7 +75,8 @@ fn computes_from_faces() {
     }
 }
 
-/// Rotations of splats come back as x, y, z, w, bit for bit, in every encoding; a file of points has none.
+/// Rotations of splats come back as x, y, z, w, bit for bit, in every encoding; a file of points has none, and
+/// that of packed splats is refused as such.
 #[test]
 fn rotations_of_splats() {
     let names =
@@ -93,6 +94,10 @@ fn rotations_of_splats() {
         let result = parse_rotations(Path::new("a.ply"), &bytes);
         assert!(matches!(result, Err(MeshError::NoRotations { .. })), "{result:?}");
     }
+    let packed = "element vertex 1\nproperty uint packed_rotation\n";
+    let bytes = file(ENCODINGS[1], packed, &[vec![number!(7_u32)]]);
+    let result = parse_rotations(Path::new("a.compressed.ply"), &bytes);
+    assert!(matches!(result, Err(MeshError::Compressed { .. })), "{result:?}");
 }
 
 /// Strips give the cube's diagonals too, from one list, before the vertices or after them; a corner below zero ends a strip.
