@@ -254,6 +254,39 @@ fn rotations_of_splats_move() {
     }
 }
 
+/// Rotations of splats in glTF become those that they are decoded to, and so do their bounds; normals beside them stay. Codes
+/// of rotations go back into the file.
+#[test]
+fn rotations_of_splats_in_gltf_move() {
+    let codec = find("quat32").unwrap();
+    let rotation = |frame: &[f32; 7]| -> [f32; 4] { codec.snapped([3, 4, 5, 6].map(|at| frame[at])) };
+    let moved =
+        |frame: &[f32; 7]| std::array::from_fn(|i| if i < 3 { frame[i] } else { rotation(frame)[i - 3] });
+    let moved: Vec<[f32; 7]> = frames().iter().map(moved).collect();
+    for make in [inside, outside] {
+        let splats = |frames: &[[f32; 7]]| {
+            let mut files = make(frames);
+            let text = String::from_utf8(std::mem::take(&mut files[0].1)).unwrap();
+            files[0].1 = text.replace("TANGENT", "KHR_gaussian_splatting:ROTATION").into_bytes();
+            files
+        };
+        let folder = tempfile::tempdir().unwrap();
+        write(folder.path(), &splats(&frames()));
+        std::fs::create_dir(folder.path().join("out")).unwrap();
+        let told = succeeds(folder.path(), "snap --for quat32 a.gltf out");
+        assert!(told.starts_with("mesh 0 (mé): 40 rotations, 0 left as they are, moved by "), "{told}");
+        std::fs::create_dir(folder.path().join("into")).unwrap();
+        succeeds(folder.path(), "encode --codec quat32 a.gltf a.uvec");
+        succeeds(folder.path(), "decode --into a.gltf a.uvec into");
+        for (name, expected) in splats(&moved) {
+            for out in ["out", "into"] {
+                let read = std::fs::read(folder.path().join(out).join(name)).unwrap();
+                assert!(read == expected, "{name}: {}", String::from_utf8_lossy(&read));
+            }
+        }
+    }
+}
+
 /// Rows of counts and angles, and warnings; files of a folder, of which one fails.
 #[test]
 fn what_is_told() {

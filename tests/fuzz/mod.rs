@@ -277,6 +277,10 @@ fn read_mesh(path: &Path, input: &[u8]) -> Result<usize, String> {
     let mut turn = |_, _, vectors: &mut [[f32; 3]]| vectors.iter_mut().for_each(|v| *v = v.map(|c| -c));
     let edited = edit(path, format, input, Reach::Folder, Change::Vectors(&mut turn));
     let turned = edited.map(|edited| mesh::parse(path, format, &edited.bytes, Reach::Folder));
+    let mut turn = |_, rotations: &mut [[f32; 4]]| rotations.iter_mut().for_each(|q| *q = q.map(|c| -c));
+    if let Err(error) = edit(path, format, input, Reach::Folder, Change::Rotations(&mut turn)) {
+        check_message(&error.to_string(), path)?;
+    }
     let mesh = mesh::parse(path, format, input, Reach::Folder).map_err(text)?;
     match turned {
         Ok(turned) => assert_eq!(turned.map_err(text)?.normals.len(), mesh.normals.len()),

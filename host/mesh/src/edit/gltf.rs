@@ -1,10 +1,12 @@
-//! Accessors of normals and tangents in glTF files.
+//! Accessors of normals and tangents, and of rotations of splats, in glTF files.
 
-use super::{Attribute, Beside, CHUNK, Change, Edited, Splice, no_normals, not_movable, shortest, span};
+use super::{
+    Attribute, Beside, CHUNK, Change, Edited, Splice, no_normals, no_splats, not_movable, shortest, span,
+};
 use crate::format::without_mark;
 use crate::gltf::accessor::extents;
 use crate::gltf::buffers::file_of;
-use crate::gltf::document::check_not_compressed;
+use crate::gltf::document::{Primitive, check_not_compressed};
 use crate::gltf::{FORMAT, File, chunks, load, short};
 use crate::{MeshError, Reach, parse_error};
 use ::gltf::Semantic::{Normals, Tangents};
@@ -71,9 +73,9 @@ impl<'t> Text<'t> {
         self.meshes.iter().flat_map(|mesh| &mesh.primitives)
     }
 
-    /// The accessors that are something else than normals or tangents of a primitive.
-    fn others(&self) -> HashSet<usize> {
-        let is_other = |name: &str| !["NORMAL", "TANGENT"].contains(&name);
+    /// The accessors that are something else than these attributes of a primitive.
+    fn others(&self, moved: &[&[Attribute]]) -> HashSet<usize> {
+        let is_other = |name: &str| !moved.iter().copied().flatten().any(|one| name_of(*one) == name);
         let others = self.primitives().flat_map(|uses| {
             let attributes = uses.attributes.iter().filter(|(name, _)| is_other(name)).map(|(_, at)| *at);
             attributes
@@ -111,7 +113,26 @@ pub(super) fn sources(path: &Path, bytes: &[u8]) -> Result<Vec<PathBuf>, MeshErr
 /// A part of the file, and the bytes that replace it.
 type Patch = (Range<usize>, Vec<u8>);
 
-/// Moves the normals and tangents of all primitives, those of an accessor once.
+/// The name of an attribute in a document.
+fn name_of(attribute: Attribute) -> &'static str {
+    match attribute {
+        Attribute::Normal => "NORMAL",
+        Attribute::Tangent => "TANGENT",
+        Attribute::Rotation => "KHR_gaussian_splatting:ROTATION",
+    }
+}
+
+/// The accessor of an attribute of a primitive, and the dimension that it has to have.
+fn accessor_of(primitive: &Primitive, attribute: Attribute) -> Option<(u32, Dimensions)> {
+    let (index, dimensions) = match attribute {
+        Attribute::Normal => (primitive.get(&Normals), Dimensions::Vec3),
+        Attribute::Tangent => (primitive.get(&Tangents), Dimensions::Vec4),
+        Attribute::Rotation => (primitive.rotations(), Dimensions::Vec4),
+    };
+    Some((index?, dimensions))
+}
+
+/// Moves the vectors of all primitives, those of an accessor once.
 pub(super) fn edit(
     path: &Path,
     bytes: &[u8],
@@ -121,13 +142,15 @@ pub(super) fn edit(
     let (json, chunk) = chunks(path, bytes)?;
     let mut text = Text::of(path, &json)?;
     check_not_compressed(path, &text.extensions_used)?;
-    let others = text.others();
+    let groups = change.groups();
+    let others = text.others(groups);
     let with_targets = text.primitives().filter(|uses| !uses.targets.is_empty()).count();
     text.meshes = Vec::new();
-    let file = load(path, bytes, reach, &[Normals, Tangents])?;
+    let of_splats = groups[0][0] == Attribute::Rotation;
+    let file = load(path, bytes, reach, if of_splats { &[] } else { &[Normals, Tangents] })?;
     let stores = stores(path, &text);
-    let plan = Plan::of(&file, &stores, &others, matches!(change, Change::Frames(_)))?;
-    let warnings = warnings(&file, with_targets);
+    let plan = Plan::of(&file, &stores, &others, groups)?;
+    let warnings = warnings(&file, groups[0][0], with_targets);
     let meshes = file.meshes.iter().map(|mesh| mesh.name.as_deref().map(short)).collect();
     let moved: HashSet<usize> = plan.places.values().map(|place| place.store).collect();
     let mut contents = vec![Vec::new(); stores.len()];
@@ -153,9 +176,11 @@ pub(super) fn edit(
 }
 
 /// Vectors of the file that are not moved, in words.
-fn warnings(file: &File, with_targets: usize) -> Vec<String> {
-    let without = file.primitives().filter(|(.., primitive)| primitive.get(&Normals).is_none()).count();
-    let words = [(without, "no normals"), (with_targets, "morph targets, which are left as they are")];
+fn warnings(file: &File, first: Attribute, with_targets: usize) -> Vec<String> {
+    let is_without = |primitive| accessor_of(primitive, first).is_none();
+    let without = file.primitives().filter(|(.., primitive)| is_without(primitive)).count();
+    let lacking = if first == Attribute::Rotation { "no splats" } else { "no normals" };
+    let words = [(without, lacking), (with_targets, "morph targets, which are left as they are")];
     let words = words.into_iter().filter(|(count, _)| *count > 0);
     words.map(|(count, words)| format!("primitives that have {words}: {count}")).collect()
 }
@@ -240,40 +265,44 @@ impl Plan {
         file: &File,
         stores: &[usize],
         others: &HashSet<usize>,
-        of_frames: bool,
+        groups: &[&[Attribute]],
     ) -> Result<Self, MeshError> {
         let mut plan = Self { jobs: Vec::new(), places: BTreeMap::new() };
         let (mut seen, mut taken) = (HashSet::new(), Taken(vec![Vec::new(); stores.len()]));
         for (mesh, at, primitive) in file.primitives() {
-            let normal = primitive.get(&Normals).map(|index| (Attribute::Normal, index, Dimensions::Vec3));
-            let tangent = primitive.get(&Tangents).map(|index| (Attribute::Tangent, index, Dimensions::Vec4));
-            let all: Vec<_> = normal.into_iter().chain(tangent).collect();
-            if of_frames && all.len() < 2 {
-                return Err(file.no_tangents(mesh, at));
-            }
-            if of_frames {
-                file.check_counts(primitive, [Normals, Tangents])?;
-            }
-            for group in all.chunks(if of_frames { 2 } else { 1 }) {
+            for group in groups {
+                let of_frames = group.len() > 1;
+                let accessors = group.iter().map(|attribute| accessor_of(primitive, *attribute));
+                let Some(accessors) = accessors.collect::<Option<Vec<_>>>() else {
+                    if of_frames {
+                        return Err(file.no_tangents(mesh, at));
+                    }
+                    continue;
+                };
+                if of_frames {
+                    file.check_counts(primitive, [Normals, Tangents])?;
+                }
                 let mut places = Vec::new();
-                for (_, index, dimensions) in group {
+                for (index, dimensions) in &accessors {
                     let place = Place::of(file, stores, *index, *dimensions)?;
                     plan.places.insert(*index as usize, place);
                     places.push(place);
                 }
                 let is_new = seen.insert(places.clone());
-                for (place, (_, index, _)) in places.iter().zip(group) {
+                for (place, (index, _)) in places.iter().zip(&accessors) {
                     if others.contains(&(*index as usize)) || (is_new && !taken.take(place)) {
                         return Err(shared(file, *index as usize));
                     }
                 }
                 if is_new {
-                    plan.jobs.push(Job { mesh, attribute: group[0].0, places });
+                    plan.jobs.push(Job { mesh, attribute: group[0], places });
                 }
             }
         }
-        if !plan.jobs.iter().any(|job| job.attribute == Attribute::Normal) {
-            return Err(no_normals(file.path));
+        let first = groups[0][0];
+        if !plan.jobs.iter().any(|job| job.attribute == first) {
+            let without = if first == Attribute::Rotation { no_splats } else { no_normals };
+            return Err(without(file.path));
         }
         plan.check_others(file, stores, &taken)?;
         Ok(plan)
@@ -306,6 +335,9 @@ impl Plan {
                     run(places, contents, &mut |vectors| change(*mesh, *attribute, vectors));
                 }
                 Change::Frames(change) => run(places, contents, &mut |frames| change(*mesh, frames)),
+                Change::Rotations(change) => {
+                    run(places, contents, &mut |rotations| change(*mesh, rotations));
+                }
             }
         }
     }
@@ -349,10 +381,10 @@ fn run<const N: usize>(places: &[Place], contents: &mut [Vec<u8>], change: &mut 
         }
         change(&mut elements);
         for (row, element) in rows.zip(&elements) {
-            let (normal, tangent) = element.split_at(3);
-            for (place, vector) in places.iter().zip([normal, tangent]) {
+            let mut moved = element.iter();
+            for place in places {
                 let floats = contents[place.store][place.element(row)].chunks_exact_mut(4);
-                floats.zip(vector).for_each(|(to, from)| to.copy_from_slice(&from.to_le_bytes()));
+                floats.zip(moved.by_ref()).for_each(|(to, from)| to.copy_from_slice(&from.to_le_bytes()));
             }
         }
     }

@@ -12,13 +12,15 @@ use std::sync::Arc;
 /// Vectors that are moved at a time.
 const CHUNK: usize = 1 << 14;
 
-/// An attribute of vertices that holds unit vectors.
+/// An attribute of vertices that holds unit vectors or unit quaternions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Attribute {
     /// The normal.
     Normal,
     /// The tangent; its fourth component, the handedness, changes with frames alone.
     Tangent,
+    /// The rotation of a Gaussian splat: x, y, z and w.
+    Rotation,
 }
 
 /// A function that moves vectors of a mesh and a kind.
@@ -30,6 +32,19 @@ pub enum Change<'c> {
     Vectors(&'c mut ChangeVectors<'c>),
     /// Moves normals with their tangents and handedness.
     Frames(&'c mut dyn FnMut(usize, &mut [[f32; 7]])),
+    /// Moves rotations of Gaussian splats.
+    Rotations(&'c mut dyn FnMut(usize, &mut [[f32; 4]])),
+}
+
+impl Change<'_> {
+    /// The attributes that are moved, those of each list together.
+    fn groups(&self) -> &'static [&'static [Attribute]] {
+        match self {
+            Self::Vectors(_) => &[&[Attribute::Normal], &[Attribute::Tangent]],
+            Self::Frames(_) => &[&[Attribute::Normal, Attribute::Tangent]],
+            Self::Rotations(_) => &[&[Attribute::Rotation]],
+        }
+    }
 }
 
 /// A file whose vectors were moved.
@@ -75,22 +90,12 @@ pub fn edit(
             let edit = if format == FileFormat::Obj { obj::edit } else { ply::edit_normals };
             edit(path, bytes, &mut |normals| change(0, Attribute::Normal, normals))
         }
-        _ => Err(MeshError::NoTangents { path: path.into(), lacking: String::new() }),
+        (_, Change::Frames(_)) => Err(MeshError::NoTangents { path: path.into(), lacking: String::new() }),
+        (FileFormat::Ply, Change::Rotations(change)) => {
+            ply::edit_rotations(path, bytes, &mut |rotations| change(0, rotations))
+        }
+        (FileFormat::Obj, Change::Rotations(_)) => Err(no_splats(path)),
     }
-}
-
-/// Moves the rotations of Gaussian splats in a PLY file in memory; `path` stands in errors.
-///
-/// # Errors
-///
-/// [`MeshError::NotMovable`] for other files and integers, and the errors of [`parse`](crate::parse).
-pub fn edit_rotations(
-    path: &Path,
-    format: FileFormat,
-    bytes: &[u8],
-    change: &mut dyn FnMut(&mut [[f32; 4]]),
-) -> Result<Edited, MeshError> {
-    if format == FileFormat::Ply { ply::edit_rotations(path, bytes, change) } else { Err(no_splats(path)) }
 }
 
 /// The files that a mesh file in memory names, as far as they are there: buffers and images of glTF.
@@ -109,7 +114,8 @@ fn no_normals(path: &Path) -> MeshError {
 
 /// The error of a file without splats.
 fn no_splats(path: &Path) -> MeshError {
-    not_movable(path, "only rotations of splats in a .ply are moved".into(), "name one with rot_0 to rot_3")
+    let remedy = "name a .ply with rot_0 to rot_3, or a .gltf or .glb with KHR_gaussian_splatting";
+    not_movable(path, "only rotations of splats are moved".into(), remedy)
 }
 
 fn not_movable(path: &Path, reason: String, remedy: &'static str) -> MeshError {

@@ -57,7 +57,7 @@ impl Primitive {
     }
 
     /// The accessor of the rotations of Gaussian splats.
-    pub(super) fn rotations(&self) -> Option<u32> {
+    pub(crate) fn rotations(&self) -> Option<u32> {
         self.attributes.rotation
     }
 }

@@ -118,7 +118,7 @@ enum Command {
     /// images that are not there yet, are written to the folder of OUT under their own names. Vectors without a direction
     /// (zero, infinite, NaN), handedness and morph targets stay as they are. A codec of vectors moves normals and tangents
     /// each by themselves; a codec of frames moves them together; one of rotations, such as sog, moves those of Gaussian
-    /// splats (ply).
+    /// splats (ply, gltf, glb).
     #[command(after_help = examples::of("snap"))]
     Snap(snap::Arguments),
     /// Convert normal maps (png, jpeg, tga, exr, ktx2, dds) to textures of codes (ktx2, dds), and back (png).

@@ -15,7 +15,7 @@ use unitvec_files::Output;
 use unitvec_host::input::Input;
 use unitvec_host::{Error, Result};
 use unitvec_mesh::Reach;
-use unitvec_mesh::edit::{Attribute, Change, Edited, edit, edit_rotations};
+use unitvec_mesh::edit::{Attribute, Change, Edited, edit};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -69,8 +69,8 @@ fn one(codec: &'static AnyCodec, input: &Path, out: &Path, reach: Reach) -> Resu
             }
             Element::Rotation => {
                 let parts = codec.element.directions();
-                let mut change = |rotations: &mut [[f32; 4]]| tallies.snap(0, parts, rotations);
-                edit_rotations(path, format, bytes, &mut change)
+                let mut change = |mesh, rotations: &mut [[f32; 4]]| tallies.snap(mesh, parts, rotations);
+                edit(path, format, bytes, reach, Change::Rotations(&mut change))
             }
         },
         reach,

@@ -14,7 +14,7 @@ use unitvec_host::raw::Dtype;
 use unitvec_host::stream::{Named, read_next};
 use unitvec_host::{Error, Result};
 use unitvec_mesh::Reach;
-use unitvec_mesh::edit::{Attribute, Change, Edited, edit, edit_rotations};
+use unitvec_mesh::edit::{Attribute, Change, Edited, edit};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -123,9 +123,9 @@ pub fn put(mesh: &Path, element: Element, reach: Reach, source: Source<'_>) -> R
         Element::Vector => {
             Input::open(mesh)?.parse(|p, f, b, r| edit(p, f, b, r, Change::Vectors(&mut normals)), reach)?
         }
-        Element::Rotation if mesh.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("ply")) => {
-            let mut change = |rotations: &mut [[f32; 4]]| next(rotations.as_flattened_mut());
-            Input::open(mesh)?.parse(|p, f, b, _| edit_rotations(p, f, b, &mut change), reach)?
+        Element::Rotation if mesh.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("obj")) => {
+            let mut change = |_, rotations: &mut [[f32; 4]]| next(rotations.as_flattened_mut());
+            Input::open(mesh)?.parse(|p, f, b, r| edit(p, f, b, r, Change::Rotations(&mut change)), reach)?
         }
         Element::Rotation => {
             return Err(Error::Usage(format!("{} has rotations, and a mesh has none", path.display())));
