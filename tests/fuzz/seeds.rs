@@ -88,13 +88,16 @@ fn ply_of(format: &str, elements: &[(&str, Vec<Vec<Number>>)]) -> Vec<u8> {
 
 const POSITION: &str = "property float x\nproperty float y\nproperty float z\n";
 
-/// Computed normals, with the faces after the vertices and before them; normals of the file.
+/// Computed normals, with the faces after the vertices and before them; normals of the file, and rotations of splats.
 pub fn ply(format: &str) -> Vec<Vec<u8>> {
     let positions: Vec<Vec<Number>> =
         vertices(SIDE).map(|[x, y, z, ..]| [x, y, z].map(|c| number!(c)).to_vec()).collect();
     let doubles =
         vertices(SIDE).map(|[x, y, z, ..]| [x, y, z].map(|c| number!(f64::from(c))).to_vec()).collect();
-    let normals = vertices(SIDE).map(|vertex| vertex.map(|c| number!(c)).to_vec()).collect();
+    let splat = |v: [f32; 6]| v.into_iter().chain([1.0, v[4], v[3], 0.0]).map(|c| number!(c)).collect();
+    let splats = vertices(SIDE).map(splat).collect();
+    let names = ["nx", "ny", "nz", "rot_0", "rot_1", "rot_2", "rot_3"];
+    let names = names.map(|name| format!("property float {name}\n")).concat();
     let face = |counts: &[u8], corners: [Number; 3]| -> Vec<Number> {
         counts.iter().map(|count| number!(count)).chain(corners).collect()
     };
@@ -117,13 +120,7 @@ pub fn ply(format: &str) -> Vec<Vec<u8>> {
                 ("vertex\nproperty double x\nproperty double y\nproperty double z\n", doubles),
             ],
         ),
-        ply_of(
-            format,
-            &[
-                other,
-                (&format!("{vertex}property float nx\nproperty float ny\nproperty float nz\n"), normals),
-            ],
-        ),
+        ply_of(format, &[other, (&format!("{vertex}{names}"), splats)]),
     ]
 }
 
@@ -172,13 +169,14 @@ fn document(primitives: &str, uri: &str) -> String {
     )
 }
 
-/// Computed normals, frames, strips and fans, sparse and quantised normals, texture coordinates.
-const PRIMITIVES: [&str; 5] = [
+/// Computed normals, frames, strips and fans, sparse and quantised normals, texture coordinates, splats.
+const PRIMITIVES: [&str; 6] = [
     r#"{"attributes":{"POSITION":1},"indices":0}"#,
     r#"{"attributes":{"POSITION":1,"NORMAL":2,"TANGENT":3},"indices":0}"#,
     r#"{"attributes":{"POSITION":1},"indices":0,"mode":5},{"attributes":{"POSITION":1},"mode":6}"#,
     r#"{"attributes":{"POSITION":1,"NORMAL":4}},{"attributes":{"POSITION":1,"NORMAL":5}}"#,
     r#"{"attributes":{"POSITION":1,"NORMAL":2,"TEXCOORD_0":6},"indices":0}"#,
+    r#"{"attributes":{"POSITION":1,"NORMAL":2,"KHR_gaussian_splatting:ROTATION":3},"mode":0}"#,
 ];
 
 /// The file beside the glTF files, in which some of their buffers lie.
