@@ -46,6 +46,15 @@ pub struct Manner<'a> {
     pub dither: Option<(Dither<'a>, &'a [f32])>,
 }
 
+/// A codec keeps axes, or vectors with a length, where directions are asked for.
+#[derive(Clone, Debug, thiserror::Error)]
+#[non_exhaustive]
+#[error("{id} is not for directions; take another codec, as oct16p")]
+pub struct NotForDirections {
+    /// The codec.
+    pub id: &'static str,
+}
+
 impl AnyCodec {
     /// Bytes of the smallest integer that holds a code: 1, 2, 4 or 8.
     pub const fn integer_bytes(&self) -> usize {
@@ -146,9 +155,13 @@ impl AnyCodec {
         Ok(())
     }
 
-    /// True where it keeps directions or rotations, which [`snapped`](Self::snapped) moves.
-    pub fn snaps(&self) -> bool {
-        self.element == Element::Rotation || self.measure() == Measure::Angle
+    /// Checks that it keeps directions or rotations, which [`snapped`](Self::snapped) moves.
+    ///
+    /// # Errors
+    /// It keeps axes, or vectors with a length.
+    pub fn expect_directions(&self) -> Result<(), NotForDirections> {
+        let has_directions = self.element == Element::Rotation || self.measure() == Measure::Angle;
+        if has_directions { Ok(()) } else { Err(NotForDirections { id: self.id }) }
     }
 
     /// Moves flat elements, each to what [`snapped`](Self::snapped) makes of it, on the calling thread.

@@ -38,7 +38,7 @@ use unitvec::{Codec, Listed, ListedFrame, ListedRotation, angle_deg, rotation_an
 #[cfg(doc)]
 use unitvec::{FrameCodec, RotationCodec};
 
-pub use callers::{Manner, has_threads};
+pub use callers::{Manner, NotForDirections, has_threads};
 pub use cpu::best_fit_table;
 pub use dither::{Dither, NoDither};
 pub use formats::{find_any, formats};

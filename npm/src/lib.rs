@@ -104,9 +104,7 @@ pub fn error(name: &str, elements: &[f32], errors: &mut [f64]) -> Result<()> {
 #[wasm_bindgen]
 pub fn snap(name: &str, elements: &mut [f32]) -> Result<()> {
     let codec = find(name)?;
-    if !codec.snaps() {
-        return Err(invalid(format!("{name} is not for directions; take another codec, as oct16p")));
-    }
+    codec.expect_directions().map_err(invalid)?;
     codec.snap(elements);
     Ok(())
 }

@@ -178,9 +178,7 @@ mod _native {
         threads: Option<usize>,
     ) -> PyResult<()> {
         let (codec, pool) = (find(name)?, pool(threads)?);
-        if !codec.snaps() {
-            return Err(invalid(format!("{name} is not for directions; take another codec, as 'oct16p'")));
-        }
+        codec.expect_directions().map_err(invalid)?;
         let (floats, snapped) = (elements.floats()?, snapped.as_slice_mut()?);
         py.detach(|| portions::snap(codec, floats, snapped, &pool)).map_err(invalid)
     }

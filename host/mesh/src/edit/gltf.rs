@@ -146,11 +146,12 @@ pub(super) fn edit(
     let others = text.others(groups);
     let with_targets = text.primitives().filter(|uses| !uses.targets.is_empty()).count();
     text.meshes = Vec::new();
-    let of_splats = groups[0][0] == Attribute::Rotation;
-    let file = load(path, bytes, reach, if of_splats { &[] } else { &[Normals, Tangents] })?;
+    let first = groups[0][0];
+    let read: &[_] = if first == Attribute::Rotation { &[] } else { &[Normals, Tangents] };
+    let file = load(path, bytes, reach, read)?;
     let stores = stores(path, &text);
     let plan = Plan::of(&file, &stores, &others, groups)?;
-    let warnings = warnings(&file, groups[0][0], with_targets);
+    let warnings = warnings(&file, first, with_targets);
     let meshes = file.meshes.iter().map(|mesh| mesh.name.as_deref().map(short)).collect();
     let moved: HashSet<usize> = plan.places.values().map(|place| place.store).collect();
     let mut contents = vec![Vec::new(); stores.len()];

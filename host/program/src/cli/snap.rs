@@ -32,11 +32,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let codec = find_any(&arguments.codec)?;
-    if !codec.snaps() {
-        let words =
-            format!("{} is not for directions, and `snap` moves normals, tangents and rotations", codec.id);
-        return Err(Error::Usage(words));
-    }
+    codec.expect_directions().map_err(|error| Error::Usage(error.to_string()))?;
     let pairs = pairs(&arguments.meshes.r#in, &arguments.out, is_mesh, None)?;
     for (input, out) in &pairs {
         check_ending(input, out)?;
