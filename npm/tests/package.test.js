@@ -8,21 +8,20 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { createServer } from "node:http";
 import { tmpdir } from "node:os";
-import { extname, join } from "node:path";
+import { join } from "node:path";
 import test from "node:test";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 import { NodeIO } from "@gltf-transform/core";
 import { build } from "esbuild";
-import puppeteer from "puppeteer-core";
 import * as unitvec from "unitvec";
 import * as exactEs from "unitvec/glsl-es/exact";
 import * as es from "unitvec/glsl-es";
 import { snapNormals } from "unitvec/gltf-transform";
 import * as exactWgsl from "unitvec/wgsl/exact";
 import * as wgsl from "unitvec/wgsl";
+import { withTab } from "./browser.js";
 import { digests } from "./common.js";
 
 const { UNITVEC_PROGRAM: PROGRAM, UNITVEC_CHROMIUM: CHROMIUM, UNITVEC_COUNT: COUNT = "4096" } = process.env;
@@ -84,28 +83,20 @@ async function inChromium(run) {
   const map = { unitvec: "unitvec/web.js", "unitvec/core": "unitvec/core.js", "unitvec/wgsl": "dist/wgsl.js" };
   const imports = Object.fromEntries(Object.entries(map).map(([name, file]) => [name, `/node_modules/unitvec/${file}`]));
   const page = `<!doctype html><script type="importmap">${JSON.stringify({ imports })}</script>`;
-  const types = { ".js": "text/javascript", ".wasm": "application/wasm" };
   const folders = { node_modules: INSTALLED, tests: join(HERE, ".."), narrow: join(NARROW ?? "", "..") };
-  const server = createServer((request, response) => {
-    const [, first] = request.url.split("/");
-    response.setHeader("content-type", types[extname(request.url)] ?? "text/html");
-    response.end(first in folders ? readFileSync(join(folders[first], request.url)) : page);
-  }).listen(0, "127.0.0.1");
-  const env = { ...process.env, LD_LIBRARY_PATH: process.env.UNITVEC_CHROMIUM_LIBRARIES };
-  const browser = await puppeteer.launch({ executablePath: CHROMIUM, args: ["--no-sandbox"], env, protocolTimeout: 600_000 });
-  try {
-    const opened = await browser.newPage();
+  const answer = (path) => {
+    const [, first] = path.split("/");
+    return first in folders ? readFileSync(join(folders[first], path)) : Buffer.from(page);
+  };
+  return withTab(answer, async (tab, address) => {
     const printed = [];
-    opened.on("console", (message) => printed.push(message.text()));
-    opened.on("pageerror", (error) => printed.push(String(error)));
-    await opened.goto(`http://127.0.0.1:${server.address().port}/index`);
-    await opened.addScriptTag({ type: "module", content: `${EXAMPLE}\nglobalThis.isDone = true;` });
-    await opened.waitForFunction("globalThis.isDone", { timeout: 60_000 });
-    return await run(opened, printed);
-  } finally {
-    await browser.close();
-    server.close();
-  }
+    tab.on("console", (message) => printed.push(message.text()));
+    tab.on("pageerror", (error) => printed.push(String(error)));
+    await tab.goto(address);
+    await tab.addScriptTag({ type: "module", content: `${EXAMPLE}\nglobalThis.isDone = true;` });
+    await tab.waitForFunction("globalThis.isDone", { timeout: 60_000 });
+    return run(tab, printed);
+  });
 }
 
 const EDITIONS = { wgsl, "wgsl --exact": exactWgsl, "glsl-es": es, "glsl-es --exact": exactEs };
