@@ -158,7 +158,7 @@ impl AnyCodec {
     /// Checks that it keeps directions or rotations, which [`snapped`](Self::snapped) moves.
     ///
     /// # Errors
-    /// It keeps axes, or vectors with a length.
+    /// [`NotForDirections`] of codecs of axes and of vectors with a length.
     pub fn expect_directions(&self) -> Result<(), NotForDirections> {
         let has_directions = self.element == Element::Rotation || self.measure() == Measure::Angle;
         if has_directions { Ok(()) } else { Err(NotForDirections { id: self.id }) }
