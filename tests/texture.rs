@@ -117,6 +117,14 @@ fn a_folder_of_maps() {
     json_of(folder.path(), "texture maps/a.b.png --codec hemioct16 single.dds");
     assert_eq!(std::fs::read(out.join("a.b.dds")).unwrap(), std::fs::read(by_itself).unwrap());
 
+    // A folder that is named as one is made.
+    for named in ["--out-dir made.d", "made.d/below/"] {
+        json_of(folder.path(), &format!("texture maps/a.b.png --codec hemioct16 {named}"));
+    }
+    assert!(
+        ["a.b.ktx2", "below/a.b.ktx2"].iter().all(|name| folder.path().join("made.d").join(name).is_file())
+    );
+
     std::fs::write(maps.join("a.c.png"), b"\x89PNG\r\n\x1a\n").unwrap();
     let some = converted(&[]);
     assert!(

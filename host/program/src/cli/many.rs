@@ -8,7 +8,7 @@ use unitvec_files::is_same_file;
 use unitvec_host::{Error, Result};
 
 /// The inputs, those of folders among them, each with its output: OUT, or a file in the folder OUT, of its own name but for
-/// the ending. Without an ending, outputs are meshes, and keep their names.
+/// the ending. Without an ending, outputs are meshes, and keep their names. An OUT that ends with a separator is made.
 pub fn pairs(
     inputs: &[PathBuf],
     out: &Path,
@@ -16,6 +16,9 @@ pub fn pairs(
     ending: Option<&str>,
 ) -> Result<Vec<(PathBuf, PathBuf)>> {
     let found = files_of(inputs, is_wanted)?;
+    if out.to_string_lossy().ends_with(std::path::is_separator) {
+        std::fs::create_dir_all(out).map_err(|source| unitvec_files::Error::writing(out, source))?;
+    }
     if let ([input], false) = (inputs, out.is_dir()) {
         if !input.is_dir() {
             check_output(input, out, ending.is_none())?;

@@ -62,7 +62,8 @@ use unitvec_vulkan::{Device, DeviceChoice, Instance};
 
 /// Unit-vector codecs on the CPU and on Vulkan: convert files, and show that all agree.
 ///
-/// Of commands that take IN... OUT, the last file is the output; `-o OUT` anywhere says the same.
+/// Of commands that take IN... OUT, the last file is the output; `-o OUT` anywhere says the same. A folder
+/// OUT exists or ends with a slash: then it is made, as by `--out-dir OUT`.
 ///
 /// Exit status: 0 if all went well, 1 if something failed or disagreed, 2 if the command line is at fault, 130
 /// if interrupted.

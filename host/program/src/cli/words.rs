@@ -4,10 +4,21 @@ use clap::error::{ContextKind, ContextValue};
 use clap::{Arg, Command, Error};
 use std::ffi::OsString;
 
+/// `--out-dir OUT`, of other programs, as `-o OUT/`: what ends with a separator is a folder, and is made if need be.
+fn with_folder(words: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
+    let mut words: Vec<_> = words.into_iter().collect();
+    let at = words.iter().take_while(|word| *word != "--").position(|word| word == "--out-dir");
+    if let Some([option, folder]) = at.and_then(|at| words.get_mut(at..at + 2)) {
+        *option = "-o".into();
+        folder.push("/");
+    }
+    words
+}
+
 /// The words with a subcommand's options before its files, which may stand in any order. Of `IN... OUT` clap takes the last file
 /// before an option for OUT, and refuses the next. `-o OUT` and `--output OUT`, of other programs, become the last file.
 pub fn options_first(program: &Command, words: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
-    let mut words = words.into_iter();
+    let mut words = with_folder(words).into_iter();
     let mut first: Vec<_> = words.by_ref().take(2).collect();
     let command = first.get(1).and_then(|name| program.find_subcommand(name));
     let Some(command) = command.filter(|command| command.get_positionals().count() > 1) else {
@@ -99,6 +110,10 @@ mod tests {
             ("unitvec encode a --codec oct16 -- -b out", "unitvec encode --codec oct16 a -- -b out"),
             ("unitvec snap a.obj -o out b.obj --for oct16p", "unitvec snap --for oct16p a.obj b.obj out"),
             ("unitvec write a.obj --normals n --output -", "unitvec write --normals n a.obj -"),
+            ("unitvec texture a.png --out-dir maps b.png", "unitvec texture a.png b.png maps/"),
+            ("unitvec compare a.obj --out-dir pages", "unitvec compare a.obj -o pages/"),
+            ("unitvec decode a -- --out-dir b", "unitvec decode a -- --out-dir b"),
+            ("unitvec decode a --out-dir", "unitvec decode --out-dir a"),
             ("unitvec decode a -o", "unitvec decode -o a"),
             ("unitvec decode a -o b -o c", "unitvec decode -o a c b"),
             ("unitvec compare a b -o c --codec oct16", "unitvec compare a b -o c --codec oct16"),
