@@ -4,6 +4,7 @@ use super::turn::{Best, Turn, of_length};
 use crate::arith::{ONE_AND_A_HALF_2_23, SIGN_BIT, dot, flip_sign, is_negative, mask, max, min, over};
 use crate::codec::storage_bytes;
 use crate::direction::{is_usable, l1_norm};
+use crate::oct::lattice_precise;
 use crate::slice::Coder;
 use crate::uoct::from_lattice;
 use glam::{Vec2, Vec3};
@@ -40,16 +41,11 @@ impl Lattice {
         if self == Self::Snorm { 1 << (bits - 1) } else { 0 }
     }
 
-    /// The largest coordinate.
-    pub(super) fn largest(self, bits: u32) -> f32 {
-        self.sizes(bits).0
-    }
-
     /// The bound of [`oct`](crate::oct)'s precise codes, for this lattice's steps, and the error of rounding positions in f32.
     pub(super) fn bound_deg(self, bits: u32) -> f32 {
         // Of 2 bits there are few points but the octahedron's vertices, acos(1 / sqrt(3)) from the middle of its faces.
         const OF_VERTICES_DEG: f32 = 54.74;
-        let m = self.largest(bits);
+        let (m, ..) = self.sizes(bits);
         let bound = (core::f32::consts::SQRT_2 * (1.0 / m + 1.0 / 2_097_152.0)).to_degrees();
         if m < 2.0 { OF_VERTICES_DEG } else { bound }
     }
@@ -59,7 +55,9 @@ impl Lattice {
     pub(super) fn nearest_code(self, v: Vec3, bits: u32, pole_x: bool, layout: Layout) -> [u32; 2] {
         let (m, half, offset) = self.sizes(bits);
         let v = turned(v, pole_x);
-        let at = nearest(v, l1_norm(v), m, half);
+        // As slices do: of one width, known to the compiler, `oct`'s search takes less.
+        let is_oct = half == 0.0 && !pole_x && !layout.rounds();
+        let at = if is_oct { lattice_precise(v, m).abs() } else { nearest(v, l1_norm(v), m, half) };
         // Of 2 bits, the nearest may be one beyond the square, which is the pole's opposite as well.
         let at = if at.x + at.y == 2.0 * m { Vec2::splat(m) } else { at };
         let e = signed(at, v, m, pole_x);
@@ -192,12 +190,7 @@ impl Layout {
 
     /// The error that the rounding of the decoder's result adds at most, half a step in each component.
     pub(super) fn rounding_deg(self) -> f32 {
-        const HALF_DIAGONAL: f32 = 0.866_025_4;
-        match self {
-            Self::Lanes8 => (HALF_DIAGONAL / 126.0).to_degrees(),
-            Self::Lanes16 => (HALF_DIAGONAL / 32_766.0).to_degrees(),
-            _ => 0.0,
-        }
+        if self.rounds() { (0.5 * 3f32.sqrt() / (self.most() - 1.0)).to_degrees() } else { 0.0 }
     }
 
     /// The code of a point's numbers. This and what it calls have no closures, which would not get the instructions of a
@@ -211,7 +204,10 @@ impl Layout {
                 let positive = u32::from(x > 0) | u32::from(y > 0) << 1;
                 [x.unsigned_abs() | y.unsigned_abs() << 10 | positive << 20, 0]
             }
-            Self::Octant => [octant(x, y), 0],
+            Self::Octant if x.abs() + y.abs() > 126 => {
+                [octant(x.signum() * (126 - y.abs()), y.signum() * (126 - x.abs()), true), 0]
+            }
+            Self::Octant => [octant(x, y, false), 0],
             Self::Lanes8 => [(x as u32 & 255) | (y as u32 & 255) << 8 | mask(bits - 1) << 16, 0],
             Self::Lanes16 => [(x as u32 & 0xffff) | (y as u32) << 16, mask(bits - 1)],
         }
@@ -268,13 +264,12 @@ fn of_bytes(code: u32) -> [i32; 2] {
     [(code & 255 | (code >> 16 & 15) << 8) as i32, (code >> 8 & 255 | (code >> 20 & 15) << 8) as i32]
 }
 
-/// The signs and components of a point of the lattice of 126, as OpenVDB numbers them. A component of 0 has no sign.
+/// OpenVDB's code of (x, y, 126 - |x| - |y|), or of its mirror image `below` the equator. A component of 0 has no sign.
 #[inline(always)]
-fn octant(x: i32, y: i32) -> u32 {
-    let z = 126 - x.abs() - y.abs();
-    let (a, b) = if z < 0 { (126 - y.abs(), 126 - x.abs()) } else { (x.abs(), y.abs()) };
-    let (left, down) = ((x < 0) & (a > 0), (y < 0) & (b > 0));
-    let signs = u32::from(left) << 15 | u32::from(down) << 14 | u32::from(z < 0) << 13;
+fn octant(x: i32, y: i32, below: bool) -> u32 {
+    let (a, b) = (x.abs(), y.abs());
+    let below = below & (a + b < 126);
+    let signs = u32::from(x < 0) << 15 | u32::from(y < 0) << 14 | u32::from(below) << 13;
     // Of x, 63 numbers have no room in 6 bits: they are mirrored into the other half of the triangle.
     let (a, b) = if a > 63 { (127 - a, 127 - b) } else { (a, b) };
     signs | (a << 7 | b) as u32
@@ -326,9 +321,9 @@ fn or_nearer(best: Best<Vec2>, v: Vec3, at: Vec2, m: f32, most: f32) -> Best<Vec
     best.or(at, Turn::by(v, rounded(at, m, most) - v))
 }
 
-/// An octahedral format of 3 bits or more as a coder of slices, of the layout of this number.
+/// A coder of slices for 3 bits or more, by the layout's number; `LARGEST` is the largest coordinate where it is fixed, or 0.
 #[derive(Clone, Copy)]
-pub(super) struct Fast<const LAYOUT: u8, const POLE_X: bool> {
+pub(super) struct Fast<const LAYOUT: u8, const POLE_X: bool, const LARGEST: u16> {
     bits: u32,
     largest: f32,
     middle: f32,
@@ -340,7 +335,7 @@ pub(super) struct Fast<const LAYOUT: u8, const POLE_X: bool> {
     to_other: u32,
 }
 
-impl<const LAYOUT: u8, const POLE_X: bool> Fast<LAYOUT, POLE_X> {
+impl<const LAYOUT: u8, const POLE_X: bool, const LARGEST: u16> Fast<LAYOUT, POLE_X, LARGEST> {
     const LAYOUT: Layout = match LAYOUT {
         0 => Layout::Pair,
         1 => Layout::Bytes888,
@@ -360,7 +355,7 @@ impl<const LAYOUT: u8, const POLE_X: bool> Fast<LAYOUT, POLE_X> {
     }
 }
 
-impl<const LAYOUT: u8, const POLE_X: bool> Coder<3> for Fast<LAYOUT, POLE_X> {
+impl<const LAYOUT: u8, const POLE_X: bool, const LARGEST: u16> Coder<3> for Fast<LAYOUT, POLE_X, LARGEST> {
     #[inline(always)]
     fn bytes(self) -> usize {
         Self::LAYOUT.bytes(self.bits)
@@ -370,18 +365,25 @@ impl<const LAYOUT: u8, const POLE_X: bool> Coder<3> for Fast<LAYOUT, POLE_X> {
     fn encode(self, v: [f32; 3]) -> [u32; 2] {
         let v = turned(Vec3::from_array(v), POLE_X);
         let norm = l1_norm(v);
-        let m = self.largest;
-        let e = signed(nearest(v, norm, m, if POLE_X { 0.0 } else { self.middle }), v, m, POLE_X);
+        let m = if LARGEST > 0 { f32::from(LARGEST) } else { self.largest };
+        // The octant's lattice goes on below the equator: nothing is folded.
+        let is_octant = matches!(Self::LAYOUT, Layout::Octant);
+        let at = match LARGEST {
+            0 => nearest(v, norm, m, self.middle),
+            _ => lattice_precise(if is_octant { v.abs() } else { v }, m).abs(),
+        };
+        let e = signed(at, v, m, POLE_X);
         let e = if Self::LAYOUT.rounds() { searched(v, e, m, Self::LAYOUT.most()) } else { e };
         // The sum of halves of steps is exact; the number is above its last bit.
         let (x, y) = (e.x + (self.offset + HALVES), e.y + (self.offset + HALVES));
         let bits = if matches!(Self::LAYOUT, Layout::Pair | Layout::Bytes888) { 0 } else { HALVES.to_bits() };
         let (x, y) = (x.to_bits().wrapping_sub(bits) as i32 >> 1, y.to_bits().wrapping_sub(bits) as i32 >> 1);
-        let [low, high] = Self::LAYOUT.code([x, y], self.bits);
+        let [low, high] = match is_octant {
+            true => [octant(x, y, is_negative(v.z)), 0],
+            false => Self::LAYOUT.code([x, y], self.bits),
+        };
         let low = low ^ if !POLE_X && low == self.corner { self.to_other } else { 0 };
-        let [low_of_z, high_of_z] = self.code_of_z;
-        let is_usable = is_usable(norm);
-        [if is_usable { low } else { low_of_z }, if is_usable { high } else { high_of_z }]
+        if is_usable(norm) { [low, high] } else { self.code_of_z }
     }
 
     #[inline(always)]
@@ -398,7 +400,7 @@ impl<const LAYOUT: u8, const POLE_X: bool> Coder<3> for Fast<LAYOUT, POLE_X> {
 /// fetch WebAssembly, so there only the layouts have one that most formats have.
 macro_rules! with_lattice {
     ($format:expr, $is_wanted:expr, $coder:ident => $fast:expr, $other:expr) => {{
-        use octahedral::{Fast, Layout};
+        use octahedral::{Fast, Lattice, Layout};
         let bits = $format.bits;
         let fast = match $format.row.mapping {
             Mapping::Octahedral { lattice, layout, pole_x, .. } if $is_wanted && bits > 2 => {
@@ -407,16 +409,16 @@ macro_rules! with_lattice {
             _ => None,
         };
         with_lattice!(@each fast, bits, $coder => $fast, $other,
-            Pair true any(), Pair false any(), Bytes888 false any(), Signs false target_family = "wasm",
-            Octant false target_family = "wasm", Lanes8 false target_family = "wasm",
-            Lanes16 false target_family = "wasm")
+            Pair true Biased 0 any(), Pair false Snorm 32767 any(), Pair false Unorm 0 any(), Bytes888 false Unorm 0 any(),
+            Signs false Snorm 1023 target_family = "wasm", Octant false Of126 126 target_family = "wasm",
+            Lanes8 false Snorm 0 target_family = "wasm", Lanes16 false Snorm 0 target_family = "wasm")
     }};
     (@each $found:expr, $bits:expr, $coder:ident => $fast:expr, $other:expr,
-        $($layout:ident $pole_x:literal $unless:meta),*) => {
+        $($layout:ident $pole_x:literal $lattice:ident $largest:literal $unless:meta),*) => {
         match $found {
             $(#[cfg(not($unless))]
-            Some((Layout::$layout, $pole_x, lattice)) => {
-                let $coder = Fast::<{ Layout::$layout as u8 }, $pole_x>::new(lattice, $bits);
+            Some((Layout::$layout, $pole_x, Lattice::$lattice)) => {
+                let $coder = Fast::<{ Layout::$layout as u8 }, $pole_x, $largest>::new(Lattice::$lattice, $bits);
                 $fast
             })*
             _ => $other,
