@@ -366,7 +366,7 @@ impl<const LAYOUT: u8, const POLE_X: bool, const LARGEST: u16> Coder<3> for Fast
         let v = turned(Vec3::from_array(v), POLE_X);
         let norm = l1_norm(v);
         let m = if LARGEST > 0 { f32::from(LARGEST) } else { self.largest };
-        // The octant's lattice goes on below the equator: nothing is folded.
+        // OpenVDB's codes have the sign of z: they need a point of the octant, not one that is folded out.
         let is_octant = matches!(Self::LAYOUT, Layout::Octant);
         let at = match LARGEST {
             0 => nearest(v, norm, m, self.middle),
