@@ -31,7 +31,7 @@ pub struct Arguments {
     #[arg(long)]
     frames: bool,
     /// Codecs of rotations, unit quaternions, instead of vectors. Errors are angles of rotation.
-    #[arg(long, conflicts_with = "frames")]
+    #[arg(long, alias = "rotation", conflicts_with = "frames")]
     rotations: bool,
     /// Leave out encoders that read a table.
     #[arg(long)]
