@@ -27,7 +27,7 @@ pub fn pairs(
     }
     if !out.is_dir() {
         let words = format!(
-            "several inputs, or a folder, need a folder that exists as OUT; {} is none",
+            "several inputs, or a folder, need a folder as OUT, which exists or ends with a slash; {} is none",
             out.display()
         );
         return Err(Error::Usage(words));
