@@ -4,9 +4,20 @@ use clap::error::{ContextKind, ContextValue};
 use clap::{Arg, Command, Error};
 use std::ffi::OsString;
 
-/// `--out-dir OUT`, of other programs, as `-o OUT/`: what ends with a separator is a folder, and is made if need be.
+/// `--out-dir OUT`, of other programs, as `-o OUT/`: what ends with a separator is a folder, and is made if need be. Its value and
+/// that of `--output` may follow `=`.
 fn with_folder(words: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
-    let mut words: Vec<_> = words.into_iter().collect();
+    let mut may_be_option = true;
+    let words = words.into_iter().flat_map(|word| {
+        may_be_option &= word != "--";
+        match word.to_str().and_then(|word| word.split_once('=')) {
+            Some((option @ ("--output" | "--out-dir"), value)) if may_be_option => {
+                vec![option.into(), value.into()]
+            }
+            _ => vec![word],
+        }
+    });
+    let mut words: Vec<OsString> = words.collect();
     let at = words.iter().take_while(|word| *word != "--").position(|word| word == "--out-dir");
     if let Some([option, folder]) = at.and_then(|at| words.get_mut(at..at + 2)) {
         *option = "-o".into();
@@ -112,7 +123,10 @@ mod tests {
             ("unitvec write a.obj --normals n --output -", "unitvec write --normals n a.obj -"),
             ("unitvec texture a.png --out-dir maps b.png", "unitvec texture a.png b.png maps/"),
             ("unitvec compare a.obj --out-dir pages", "unitvec compare a.obj -o pages/"),
+            ("unitvec decode a b --out-dir=c=d", "unitvec decode a b c=d/"),
+            ("unitvec decode --output=c a", "unitvec decode a c"),
             ("unitvec decode a -- --out-dir b", "unitvec decode a -- --out-dir b"),
+            ("unitvec decode a -- --output=b", "unitvec decode a -- --output=b"),
             ("unitvec decode a --out-dir", "unitvec decode --out-dir a"),
             ("unitvec decode a -o", "unitvec decode -o a"),
             ("unitvec decode a -o b -o c", "unitvec decode -o a c b"),
