@@ -53,7 +53,9 @@ fn no_code_is_nearer() {
     for format in Format::all() {
         let Some(codes) = all_codes(format) else { continue };
         let all: Vec<Vec3> = codes.iter().map(|code| format.decode::<Vec3>(*code).normalize()).collect();
-        for v in directions(41, 60) {
+        // Where meshoptimizer's numbers, rounded twice, come out two steps apart.
+        let near_vertices = sphere(43, 1000).map(|v| Vec3::new(v.x * 0.03, v.y, v.z * 0.03));
+        for v in directions(41, 60).chain(near_vertices) {
             let best = all.iter().copied().reduce(|a, b| if b.dot(v) > a.dot(v) { b } else { a }).unwrap();
             let slack = 2.0 * turn_deg(POSITION_ROUNDING);
             assert!(error(format, v) <= angle_deg(v, best) + slack, "{format}: {v:?}");

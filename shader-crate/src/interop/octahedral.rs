@@ -60,8 +60,8 @@ impl Lattice {
         let at = if is_oct { lattice_precise(v, m).abs() } else { nearest(v, l1_norm(v), m, half) };
         // Of 2 bits, the nearest may be one beyond the square, which is the pole's opposite as well.
         let at = if at.x + at.y == 2.0 * m { Vec2::splat(m) } else { at };
+        let at = if layout.rounds() { searched(v, at, m, layout.most()) } else { at };
         let e = signed(at, v, m, pole_x);
-        let e = if layout.rounds() { searched(v, e, m, layout.most()) } else { e };
         // Of the corners, which are one direction, that of code 0 may stand for no vector.
         let e = if e == Vec2::splat(-m) { -e } else { e };
         layout.code([whole(e.x + offset), whole(e.y + offset)], bits)
@@ -199,7 +199,7 @@ impl Layout {
     pub(super) fn code(self, [x, y]: [i32; 2], bits: u32) -> [u32; 2] {
         match self {
             Self::Pair => [(x as u32 & mask(bits)) | (y as u32 & mask(bits)) << bits, 0],
-            Self::Bytes888 => [bytes_code(x as u32, y as u32), 0],
+            Self::Bytes888 => [((x & 255 | (x & 0xf00) << 8) | (y & 255 | (y & 0xf00) << 4) << 8) as u32, 0],
             Self::Signs => {
                 let positive = u32::from(x > 0) | u32::from(y > 0) << 1;
                 [x.unsigned_abs() | y.unsigned_abs() << 10 | positive << 20, 0]
@@ -221,7 +221,9 @@ impl Layout {
                 let (x, y) = (low & mask(bits), low >> bits & mask(bits));
                 [(x ^ sign).wrapping_sub(sign) as i32, (y ^ sign).wrapping_sub(sign) as i32]
             }
-            Self::Bytes888 => of_bytes(low),
+            Self::Bytes888 => {
+                [(low & 255 | (low >> 16 & 15) << 8) as i32, (low >> 8 & 255 | (low >> 20 & 15) << 8) as i32]
+            }
             Self::Signs => {
                 let (x, y) = ((low & mask(10)) as i32, (low >> 10 & mask(10)) as i32);
                 [if low >> 20 & 1 == 1 { x } else { -x }, if low >> 21 & 1 == 1 { y } else { -y }]
@@ -241,8 +243,12 @@ impl Layout {
             Self::Lanes16 => code[1] as u16 as i16 as f32,
             _ => return lattice.direction(bits, [x, y], pole_x, [0.0; 2]),
         };
-        let Vec3 { x, y, z } = rounded(Vec2::new(x as f32, y as f32), one, self.most());
-        Vec3::new(x / self.most(), y / self.most(), z / self.most())
+        let (x, y) = (x as f32, y as f32);
+        let z = one - x.abs() - y.abs();
+        let below = min(z, 0.0);
+        let moved = |t: f32| t + if t >= 0.0 { below } else { -below };
+        let v = Vec3::new(moved(x), moved(y), z);
+        rounded(v.abs(), self.most()).copysign(v) / self.most()
     }
 
     /// The length of the integers that decoders give, where they do.
@@ -250,18 +256,6 @@ impl Layout {
     fn most(self) -> f32 {
         if self == Self::Lanes8 { 127.0 } else { 32_767.0 }
     }
-}
-
-/// The code of [`Layout::Bytes888`].
-#[inline(always)]
-fn bytes_code(x: u32, y: u32) -> u32 {
-    (x & 255 | (x & 0xf00) << 8) | (y & 255 | (y & 0xf00) << 4) << 8
-}
-
-/// The reverse of [`bytes_code`].
-#[inline(always)]
-fn of_bytes(code: u32) -> [i32; 2] {
-    [(code & 255 | (code >> 16 & 15) << 8) as i32, (code >> 8 & 255 | (code >> 20 & 15) << 8) as i32]
 }
 
 /// OpenVDB's code of (x, y, 126 - |x| - |y|), or of its mirror image `below` the equator. A component of 0 has no sign.
@@ -285,40 +279,45 @@ fn from_octant(code: u32) -> [i32; 2] {
     [if code >> 15 & 1 == 1 { -a } else { a }, if code >> 14 & 1 == 1 { -b } else { b }]
 }
 
-/// The integers of meshoptimizer's filter: a vector of length `most`, rounded, ties away from 0.
+/// The magnitudes of the integers of meshoptimizer's filter, by those of a vector: of length `most`, rounded, ties up.
 #[inline(always)]
-fn rounded(e: Vec2, one: f32, most: f32) -> Vec3 {
-    let z = one - e.x.abs() - e.y.abs();
-    let below = min(z, 0.0);
-    let v = Vec3::new(
-        e.x + if e.x >= 0.0 { below } else { -below },
-        e.y + if e.y >= 0.0 { below } else { -below },
-        z,
-    );
+fn rounded(v: Vec3, most: f32) -> Vec3 {
+    // The greatest number below 1/2, so that the sum with one below 1/2 is below 1. As `round`, in fewer instructions.
+    const ALMOST_HALF: f32 = 0.499_999_97;
     let length = (v.x * v.x + v.y * v.y + v.z * v.z).sqrt();
     let scale = if length > 0.0 { most / length } else { 0.0 };
-    let v = v * scale;
-    Vec3::new(v.x.round(), v.y.round(), v.z.round())
+    (v * scale + ALMOST_HALF).trunc()
 }
 
-/// Of the 3 by 3 points around the nearest one, `at`, the point whose decoded integers are nearest.
+/// Of a point `at` and those around it, by their magnitudes, that whose integers are nearest. Points of another octant are no
+/// nearer than their mirror images.
 #[cfg_attr(not(target_family = "wasm"), inline(always))]
 fn searched(v: Vec3, at: Vec2, m: f32, most: f32) -> Vec2 {
-    let v = of_length(v, most);
+    let mirrored = |is: bool, p: Vec2| if is { Vec2::new(m - p.y, m - p.x) } else { p };
+    let a = of_length(v.abs(), most);
+    let p = mirrored(at.x + at.y > m, at);
+    let p = p.extend(m - p.x - p.y);
     // The point itself comes first: of equals it stays.
-    let none = Best::none(at);
-    let best =
-        three!(none, |best, x| three!(best, |best, y| or_nearer(best, v, at + Vec2::new(x, y), m, most)));
-    best.point
+    let best = Best { point: p, turn: Turn::by(a, rounded(p, most) - a) };
+    let best = or_beside(best, a, p, Vec3::new(1.0, 0.0, -1.0), most);
+    let best = or_beside(best, a, p, Vec3::new(0.0, 1.0, -1.0), most);
+    let best = or_beside(best, a, p, Vec3::new(1.0, -1.0, 0.0), most);
+    // Near a vertex two more are as near: those that are a step up or down in both of the smaller components.
+    let (is_z, is_x) = (a.z >= max(a.x, a.y), a.x > a.y);
+    let step = |is_largest: bool| if is_largest { -2.0 } else { 1.0 };
+    let across = Vec3::new(step(is_x & !is_z), step(!(is_x | is_z)), step(is_z));
+    mirrored(is_negative(v.z), or_beside(best, a, p, across, most).point.truncate())
 }
 
-/// This point, or, where it lies beyond the square's border, that inside which it stands for, if its integers are nearer.
+/// A point a step beside another, in either direction, if it is one and its integers are nearer.
 #[cfg_attr(not(target_family = "wasm"), inline(always))]
-fn or_nearer(best: Best<Vec2>, v: Vec3, at: Vec2, m: f32, most: f32) -> Best<Vec2> {
-    let (x, y) = (at.x.abs() > m, at.y.abs() > m);
-    let at = if x { Vec2::new(flip_sign(2.0 * m, at.x.to_bits() & SIGN_BIT) - at.x, -at.y) } else { at };
-    let at = if y { Vec2::new(-at.x, flip_sign(2.0 * m, at.y.to_bits() & SIGN_BIT) - at.y) } else { at };
-    best.or(at, Turn::by(v, rounded(at, m, most) - v))
+fn or_beside(best: Best<Vec3>, v: Vec3, point: Vec3, step: Vec3, most: f32) -> Best<Vec3> {
+    let or_nearer = |best: Best<Vec3>, point: Vec3| {
+        let turn = Turn::by(v, rounded(point, most) - v);
+        let is_nearer = turn.is_less(best.turn) & (min(min(point.x, point.y), point.z) >= 0.0);
+        if is_nearer { Best { point, turn } } else { best }
+    };
+    or_nearer(or_nearer(best, point + step), point - step)
 }
 
 /// A coder of slices for 3 bits or more, by the layout's number; `LARGEST` is the largest coordinate where it is fixed, or 0.
@@ -372,8 +371,8 @@ impl<const LAYOUT: u8, const POLE_X: bool, const LARGEST: u16> Coder<3> for Fast
             0 => nearest(v, norm, m, self.middle),
             _ => lattice_precise(if is_octant { v.abs() } else { v }, m).abs(),
         };
+        let at = if Self::LAYOUT.rounds() { searched(v, at, m, Self::LAYOUT.most()) } else { at };
         let e = signed(at, v, m, POLE_X);
-        let e = if Self::LAYOUT.rounds() { searched(v, e, m, Self::LAYOUT.most()) } else { e };
         // The sum of halves of steps is exact; the number is above its last bit.
         let (x, y) = (e.x + (self.offset + HALVES), e.y + (self.offset + HALVES));
         let bits = if matches!(Self::LAYOUT, Layout::Pair | Layout::Bytes888) { 0 } else { HALVES.to_bits() };

@@ -91,7 +91,8 @@ impl Coder<3> for Nearest {
 /// The nearest point by its numbers and face.
 type Found = Best<(f32, f32, usize)>;
 
-/// The nearest of the 3 by 3 points around a direction's place on a face, or the one that is nearer.
+/// The nearest of the 3 by 3 points around a direction's place on a face, or the one that is nearer. Points beyond the face's disc,
+/// which are all on its edge, are not sought elsewhere.
 #[cfg_attr(not(target_family = "wasm"), inline(always))]
 fn on_face_or(best: Found, v: Vec3, face: usize) -> Found {
     let place = on_face(v, face);
