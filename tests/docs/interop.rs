@@ -142,7 +142,8 @@ pub fn table() -> String {
     let rows = formats().map(|format| {
         let [a, b, c, d] = errors[&format.to_string()].map(degrees);
         let bound = degrees(format.max_error_deg().into());
-        let times = slices::times(format.row().name);
+        // Of 2 bits there is no loop over several vectors.
+        let times = if format.component_bits() > 2 { slices::times(format.row().name) } else { "-".into() };
         let sizes = format!("{} | {}", format.bits(), format.bytes());
         format!("`{format}` | {sizes} | {a} / {b} | {c} / {d} | {bound} | {times}")
     });
