@@ -282,7 +282,7 @@ fn from_octant(code: u32) -> [i32; 2] {
 /// The magnitudes of the integers of meshoptimizer's filter, by those of a vector: of length `most`, rounded, ties up.
 #[inline(always)]
 fn rounded(v: Vec3, most: f32) -> Vec3 {
-    // The greatest number below 1/2, so that the sum with one below 1/2 is below 1. As `round`, in fewer instructions.
+    // The greatest number below 1/2: what is below 1/2 stays below 1. As `round` of what is not negative, in fewer instructions.
     const ALMOST_HALF: f32 = 0.499_999_97;
     let length = (v.x * v.x + v.y * v.y + v.z * v.z).sqrt();
     let scale = if length > 0.0 { most / length } else { 0.0 };
@@ -314,6 +314,7 @@ fn searched(v: Vec3, at: Vec2, m: f32, most: f32) -> Vec2 {
 fn or_beside(best: Best<Vec3>, v: Vec3, point: Vec3, step: Vec3, most: f32) -> Best<Vec3> {
     let or_nearer = |best: Best<Vec3>, point: Vec3| {
         let turn = Turn::by(v, rounded(point, most) - v);
+        // One selection: with `Best::or` within another, slices take 3 % longer.
         let is_nearer = turn.is_less(best.turn) & (min(min(point.x, point.y), point.z) >= 0.0);
         if is_nearer { Best { point, turn } } else { best }
     };
