@@ -2,7 +2,7 @@
 
 use super::tables::is_shown;
 use super::{compare, markdown_table};
-use crate::isa::gpus::{COUNTED, ratio, row, rust_to_exact};
+use crate::isa::gpus::{COUNTED, SHOWN, ratio, row, rust_to_exact};
 use crate::isa::{committed, stages};
 use std::path::Path;
 use std::sync::LazyLock;
@@ -125,10 +125,6 @@ pub fn vector_instructions(id: &str, operation: Operation) -> Option<f64> {
     rdna2().row(id, operation, Source::Glsl)?.vector_instructions
 }
 
-/// The GPUs of the table of recommended codecs.
-const SHOWN: [&str; 10] =
-    ["navi21", "gfx1201", "tgl", "dg2", "sm_75", "sm_86", "a730", "g52", "g610", "v3d42"];
-
 fn shown() -> impl Iterator<Item = &'static (&'static Gpu, Report)> {
     COUNTED.iter().filter(|(gpu, _)| SHOWN.contains(&gpu.name))
 }
@@ -229,19 +225,19 @@ pub fn exact() -> String {
 
 /// Costs in pixel and vertex shaders, unitvec's beside the textbook's.
 pub fn stages() -> String {
-    let reports = stages::GPUS.map(stages::committed);
+    let reports: Vec<Report> = stages::gpus().map(|gpu| stages::committed(gpu.name)).collect();
     let rows = stages::WAYS.iter().map(|way| {
         let stages::Way(place, format, ours, textbook) = way;
-        let cells = reports.each_ref().map(|report| {
+        let cells = reports.iter().map(|report| {
             let of = |expression: &str| {
                 let count = way.beyond_idle(report, expression, |row| row.instructions);
                 count.map_or_else(|| "-".to_owned(), |count| count.to_string())
             };
             format!("{} / {}", of(ours), textbook.map_or_else(|| "-".to_owned(), of))
         });
-        format!("{place} | `{:?}` | `{ours}` | {}", format.raw, cells.join(" | "))
+        format!("{place} | `{:?}` | `{ours}` | {}", format.raw, cells.collect::<Vec<_>>().join(" | "))
     });
-    let titles = stages::GPUS.map(|gpu| find_gpu(gpu).unwrap().title).join(" | ");
+    let titles = stages::gpus().map(|gpu| gpu.title).collect::<Vec<_>>().join(" | ");
     markdown_table(&format!("shader | format | unitvec's / the textbook's instructions | {titles}"), rows)
 }
 

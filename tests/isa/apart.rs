@@ -1,12 +1,12 @@
 //! Shaders compiled by another process: a process compiles for one GPU only, and a driver that does not know it ends the
 //! process.
 
-use super::compiled::{comparable, dearer};
+use super::compiled::{comparable, dearer, newer_driver};
 use super::{RENEW, recorded};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::sync::Arc;
-use unitvec_choose::costs::{KernelKind, Report, Row};
+use unitvec_choose::costs::{KernelKind, Report, Row, find_generation};
 use unitvec_lab::isa::Asked;
 use unitvec_lab::isa::stand_in::StandIn;
 use unitvec_manifest::sha256_hex;
@@ -19,7 +19,8 @@ const OUTPUT: &str = "UNITVEC_COMPILED_COSTS";
 
 /// The report that a test of this name makes by [`compile`] with the compiler for a GPU.
 fn compiled(test: &str, gpu: &str) -> Result<Report, String> {
-    let stand_in = StandIn::new(gpu, None).map_err(|error| error.to_string())?;
+    let newer = find_generation(gpu).and_then(newer_driver);
+    let stand_in = StandIn::new(gpu, newer.as_deref()).map_err(|error| error.to_string())?;
     let folder = tempfile::tempdir().unwrap();
     let output = folder.path().join("costs.json");
     let mut program = Command::new(std::env::current_exe().unwrap());

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use unitvec_catalogue::{AnyCodec, CODECS, Operation};
-use unitvec_choose::costs::{GENERATIONS, KernelKind, Report, Row, Source};
+use unitvec_choose::costs::{GENERATIONS, Generation, KernelKind, Report, Row, Source};
 use unitvec_lab::isa::glsl_file;
 use unitvec_run::conform::widest_of_each_series;
 use unitvec_tests::program::{command, refusal, run, stderr, stdout};
@@ -14,6 +14,11 @@ use unitvec_tests::repository;
 
 /// Names the file of a newer RADV than the system's: `cargo xtask renew costs` fetches one and sets it.
 pub const NEWER_DRIVER: &str = "UNITVEC_NEWER_RADV_ICD";
+
+/// The file of the newer RADV, for a generation that the oldest one does not know.
+pub fn newer_driver(generation: &Generation) -> Option<PathBuf> {
+    std::env::var_os(NEWER_DRIVER).map(PathBuf::from).filter(|_| generation.mesa != GENERATIONS[0].mesa)
+}
 
 /// The report of the driver, the system's or the one in this file, on kernels of these codecs for a GPU.
 pub fn compiled(
@@ -217,12 +222,10 @@ fn reports_agree() {
 #[test]
 #[ignore = "`cargo xtask renew costs` runs it: a minute or two"]
 fn renew() {
-    let newer = std::env::var_os(NEWER_DRIVER).map(PathBuf::from);
     let mut left = Vec::new();
     for generation in &GENERATIONS {
-        let (oldest, path) = (GENERATIONS[0].mesa, repository().join(generation.path()));
-        let driver = newer.as_deref().filter(|_| generation.mesa != oldest);
-        match compiled((generation.gpu, KernelKind::Four), driver, &CODECS) {
+        let path = repository().join(generation.path());
+        match compiled((generation.gpu, KernelKind::Four), newer_driver(generation).as_deref(), &CODECS) {
             Ok(report) => {
                 let before = Report::parse(&path, &std::fs::read(&path).unwrap_or_default());
                 let notes =

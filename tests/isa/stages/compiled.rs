@@ -1,7 +1,8 @@
 //! The shaders compiled again, by the RADV that is installed here.
 
-use super::{ATTRIBUTE, GPUS, WAYS, WRITTEN, Way, file};
+use super::{ATTRIBUTE, WAYS, WRITTEN, Way, file, gpus};
 use crate::isa::apart;
+use crate::isa::gpus::SHOWN;
 use unitvec_catalogue::Operation;
 use unitvec_choose::costs::{Row, Source};
 use unitvec_lab::Error;
@@ -85,12 +86,12 @@ fn row(asked: &Asked<'_>, compiler: &Compiler, way: &Way, expression: &str) -> O
 /// Each expression is compiled again for the GPU whose driver most have, and its cost matches the record.
 #[test]
 fn stages_cost_what_is_recorded() {
-    apart::assert_as_recorded(&file(GPUS[0]), COMPILE, GPUS[0]);
+    apart::assert_as_recorded(&file(SHOWN[0]), COMPILE, SHOWN[0]);
 }
 
 /// Compiles all again.
 #[test]
 #[ignore = "`cargo xtask renew costs` runs it"]
 fn renew() {
-    GPUS.iter().for_each(|gpu| apart::renew(&file(gpu), COMPILE, gpu));
+    gpus().for_each(|gpu| apart::renew(&file(gpu.name), COMPILE, gpu.name));
 }

@@ -4,12 +4,15 @@
 #[cfg(feature = "glsl")]
 mod compiled;
 
+use super::gpus::SHOWN;
 use super::recorded;
-use unitvec_choose::costs::{Report, Row};
+use unitvec_choose::costs::{Gpu, Line, Report, Row, find_gpu};
 use unitvec_vulkan::ImageFormat;
 
-/// A GPU of each line that Mesa has a driver for.
-pub const GPUS: [&str; 5] = ["navi21", "dg2", "a730", "g610", "v3d42"];
+/// The GPUs of docs/costs.md but NVIDIA's, whose compiler takes compute kernels alone. The first is that whose driver most have.
+pub fn gpus() -> impl Iterator<Item = &'static Gpu> {
+    SHOWN.iter().filter_map(|name| find_gpu(name)).filter(|gpu| gpu.line != Line::Nvidia)
+}
 
 fn file(gpu: &str) -> String {
     format!("stages/{gpu}.json")
@@ -94,7 +97,7 @@ pub fn committed(gpu: &str) -> Report {
 /// The way that most take costs at most two instructions more than the survey's listing, which takes no NaN.
 #[test]
 fn an_snorm_target_costs_what_the_listing_costs() {
-    let (report, way) = (committed(GPUS[0]), &WAYS[0]);
+    let (report, way) = (committed(SHOWN[0]), &WAYS[0]);
     let cost = |expression| way.beyond_idle(&report, expression, |row| row.instructions).unwrap();
     let (ours, listing) = (cost(way.2), cost(way.3.unwrap()));
     assert!((1..=listing + 2).contains(&ours), "{ours} instructions, the listing has {listing}");
