@@ -273,8 +273,7 @@ impl Said {
 }
 
 /// The statistics of a stage in the lines of Mali's compiler, numbers and names, summed over the stage's parts, which have
-/// these names. Those of
-/// its units are cycles, of so many instructions.
+/// these names. Those of its units are cycles, of so many instructions.
 pub fn shader_db(said: &str, stages: &[&str]) -> Statistics {
     let mut statistics = Statistics::new();
     let parts = said.lines().filter_map(|line| line.strip_prefix("SHADER-DB: ")?.split_once(" shader: "));
