@@ -66,9 +66,8 @@
 //! `docs/costs.md` of the repository says more on the choice.
 //!
 //! A tangent frame (normal, tangent, handedness) takes 32 bits as [`Frame32`] or 64 as [`Frame64`]: see [`frame`]. A rotation,
-//! a unit quaternion, takes 24 to 64 as [`Quat24`] to [`Quat64`]: see [`quat`].
-//! Whole slices and vertex buffers: see [`mod@slice`]. To choose a codec by its name at run time, take the crate
-//! `unitvec-catalogue`.
+//! a unit quaternion, takes 24 to 64 as [`Quat24`] to [`Quat64`]: see [`quat`]. Whole slices and vertex buffers: see
+//! [`mod@slice`]. To choose a codec by its name at run time, take the crate `unitvec-catalogue`.
 //!
 //! The families, each with a module that says what it is good for:
 //!

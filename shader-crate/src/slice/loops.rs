@@ -6,9 +6,12 @@ use super::stored::{Stored, with_size};
 use super::strided::LARGEST_CODE;
 use core::marker::PhantomData;
 
-/// True where the crate is compiled without optimisation. There the compiler makes no vector instructions of the loops over
-/// blocks, and to turn the vectors to blocks and back only costs time.
-const ONE_BY_ONE: bool = cfg!(unoptimised);
+/// True where elements go one by one: without optimisation, and on AArch64, whose loads and stores of structures let LLVM make
+/// vector instructions of that loop too, if the coder's type tells the bytes: of up to 4, and not of a rotation's decoder.
+#[inline(always)]
+fn one_by_one<const N: usize, K>(bytes: usize) -> bool {
+    cfg!(unoptimised) || cfg!(target_arch = "aarch64") && size_of::<K>() == 0 && N != 4 && bytes <= 4
+}
 
 /// Bytes of vectors from which on memory is prefetched: a slice of this size does not stay in the caches nearest to the
 /// core. The processor's own prefetching ends with each page, and counts for little where memory is written.
@@ -73,7 +76,7 @@ impl<const N: usize, K: Coder<N>, E: Copy + Into<[f32; N]>> Task for Encode<'_, 
     #[inline(always)]
     fn run(self, level: Level) {
         let (coder, bytes) = (self.coder, self.coder.bytes());
-        if ONE_BY_ONE {
+        if one_by_one::<N, K>(bytes) {
             return with_size!(bytes, SIZE => encode_each::<N, SIZE>(coder, self.elements, self.codes));
         }
         let size = BLOCK * bytes;
@@ -124,7 +127,7 @@ impl<const N: usize, K: Coder<N>, T: Target<E, N>, E: Copy> Task for Decode<'_, 
     #[inline(always)]
     fn run(self, level: Level) {
         let (coder, bytes) = (self.coder, self.coder.bytes());
-        if ONE_BY_ONE {
+        if one_by_one::<N, K>(bytes) {
             return with_size!(bytes, SIZE => decode_each::<N, T, E, SIZE>(coder, self.codes, self.elements));
         }
         let (size, far) = (BLOCK * bytes, is_far(self.elements));

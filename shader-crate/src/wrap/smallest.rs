@@ -29,9 +29,8 @@ struct Held {
 /// Every direction is in the cap of that axis, and the half-angle is at most 2^-21 radians above that of the smallest
 /// cap, where that is less than 90 degrees. Else the cap holds all, but need not be the smallest.
 ///
-/// Each pass over the vectors takes the direction farthest from the axis, and then the smallest cap of that one and of
-/// those that hold the cap so far, two or three. The angle grows with each pass, and the work with the number of
-/// vectors.
+/// Each pass over the vectors takes the direction farthest from the axis, and then the smallest cap of that one and of those that
+/// hold the cap so far, two or three. The angle grows with each pass, and the work with the number of vectors.
 ///
 /// ```
 /// let (axis, half_angle) = unitvec::wrap::smallest_cap(&[[0.0, 0.6, 0.8], [0.0, -0.6, 0.8], [0.1, 0.0, 1.0]]);

@@ -17,8 +17,7 @@
 //! # The fast format, [`LatLong`]
 //!
 //! `2^h` rings of equal height from +Z to -Z, h half the code's bits, and in each of them `2^h` patches of equal width.
-//! The index of a patch is `ring 2^h + patch`, so that finding both is a shift and a mask, and it decodes to its
-//! middle.
+//! The index of a patch is `ring 2^h + patch`, so that finding both is a shift and a mask, and it decodes to its middle.
 //!
 //! The survey calls its fast format "latlong", says that its patches are of near-equal area, and does not define them.
 //! This grid is inferred: its errors are within 1 % of the survey's table 1, or less.
