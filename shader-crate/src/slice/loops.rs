@@ -6,8 +6,8 @@ use super::stored::{Stored, with_size};
 use super::strided::LARGEST_CODE;
 use core::marker::PhantomData;
 
-/// True where elements go one by one: without optimisation, and on AArch64, whose loads and stores of structures let LLVM make
-/// vector instructions of that loop too, if the coder's type tells the bytes: of up to 4, and not of a rotation's decoder.
+/// True where elements go one by one: without optimisation, and on AArch64 those in up to 4 bytes but rotations, since there
+/// LLVM makes vector instructions of that loop too. Not with a coder that has fields, of which each size would be a loop.
 #[inline(always)]
 fn one_by_one<const N: usize, K>(bytes: usize) -> bool {
     cfg!(unoptimised) || cfg!(target_arch = "aarch64") && size_of::<K>() == 0 && N != 4 && bytes <= 4

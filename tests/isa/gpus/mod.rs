@@ -17,7 +17,7 @@ use unitvec_tests::repository;
 pub static COUNTED: LazyLock<Vec<(&Gpu, Report)>> =
     LazyLock::new(|| GPUS.iter().map(|gpu| (gpu, committed(gpu))).collect());
 
-/// The GPUs whose counts docs/costs.md shows, two of each maker that has so many.
+/// The GPUs of docs/costs.md's tables, at most two of a [`Line`]. The first is that whose driver most have.
 pub const SHOWN: [&str; 10] =
     ["navi21", "gfx1201", "tgl", "dg2", "sm_75", "sm_86", "a730", "g52", "g610", "v3d42"];
 

@@ -9,7 +9,7 @@ use super::recorded;
 use unitvec_choose::costs::{Gpu, Line, Report, Row, find_gpu};
 use unitvec_vulkan::ImageFormat;
 
-/// The GPUs of docs/costs.md but NVIDIA's, whose compiler takes compute kernels alone. The first is that whose driver most have.
+/// Those of [`SHOWN`] but NVIDIA's, whose compiler takes compute kernels alone.
 pub fn gpus() -> impl Iterator<Item = &'static Gpu> {
     SHOWN.iter().filter_map(|name| find_gpu(name)).filter(|gpu| gpu.line != Line::Nvidia)
 }
